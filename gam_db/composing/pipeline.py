@@ -3,23 +3,23 @@
 This module owns how steps refer to one another. It knows neither what they compute nor any engine.
 """
 
-from collections.abc import Callable, Container, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
-from typing import NamedTuple, TypeAlias, cast
+from functools import cached_property, lru_cache
+from typing import Any, TypeAlias, cast
 
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.composing.lately import Lately
 from gam_db.errors import InternalError
 
 Slots: TypeAlias = Mapping[str, template.Slot]
 Tables: TypeAlias = Mapping[str, str]
 
 
-class Made(NamedTuple):
-    """What a step is made of.
+@dataclass(frozen=True, eq=False)
+class Made:
+    """What a step is made of; a step that is filled again in the same way has the same one.
 
     Attributes:
         query: the filled tree; tables that carry the name of a step are read from that step.
@@ -42,11 +42,11 @@ class Step:
 
     @classmethod
     def of(cls, name: str, query: exp.Query, comment: str, inputs: Mapping[str, str]) -> "Step":
-        """Return a step whose tree, which is changed for it, reads its inputs by their own names.
+        """Return a step of a tree that reads its inputs by their own names, in a copy.
 
         The inputs are the steps, by what the tree calls them.
         """
-        made = _made(query, comment, inputs)
+        made = _adopted(query, comment, tuple(sorted(inputs.items())))
         return cls(name, lambda: made)
 
     @cached_property
@@ -60,10 +60,8 @@ class Step:
         return self.made.query
 
 
-#: Steps that were filled, and queries that were composed, by all that they were made of. A query takes
-#: about half a megabyte.
-_FILLED: Lately[Made] = Lately(4000)
-_COMPOSED: Lately[exp.Query] = Lately(256)
+#: A step of a query: its name, what it is made of, and whether it is small.
+Entry: TypeAlias = tuple[str, Made, bool]
 
 
 @dataclass
@@ -84,7 +82,7 @@ class Pipeline:
     def add(
         self, name: str, query: exp.Query, comment: str = "", tables: Mapping[str, str] | None = None
     ) -> None:
-        """Add a step; its tree is the pipeline's from now on.
+        """Add a step; its tree must not be changed from now on.
 
         Where the tree calls its inputs otherwise, ``tables`` says so: the name in the tree -> the step.
         """
@@ -112,8 +110,7 @@ class Pipeline:
             loaded = template.load(path)
             given = held() if callable(held) else held
             inputs = _inputs(loaded.tables, renamed() if callable(renamed) else renamed, known)
-            key = name, path, tuple(sorted(inputs.items())), _slot_key(given)
-            return _FILLED.get(key, lambda: _made(filled(path, given), loaded.comment, inputs))
+            return _filled(path, _hashable(given), tuple(sorted(inputs.items())))
 
         self._put(Step(name, make))
 
@@ -163,51 +160,64 @@ class Pipeline:
             The tree; asked again in the same circumstances, the same one, so it must not be changed. One
             with comments is the caller's own.
         """
-        placed = placed or {}
-        if commented:
-            return self._composed(target, placed, True)
-        key = self._key(target, placed)
-        return _COMPOSED.get(key, lambda: self._composed(target, placed, False))
+        placed, last = placed or {}, self.steps[target].made
+        steps = [step for step in self.needed([target], placed) if step.name != target]
+        inputs = tuple((step.name, step.made, step.name in self.small) for step in steps)
+        read = {target}.union(last.tables, *(step.made.tables for step in steps)) & placed.keys()
+        parts = target, last, inputs, tuple((name, placed[name]) for name in sorted(read))
+        return _composed(*parts, True) if commented else _composed_once(*parts)
 
-    def _key(self, target: str, placed: Mapping[str, exp.Table]) -> Hashable:
-        """Return all that the query of a step depends on.
 
-        Trees are equal where their hashes are, by sqlglot's own rule; each keeps its own.
-        """
-        steps = self.needed([target], placed)
-        read = {target}.union(*(step.made.tables for step in steps)) & placed.keys()
-        places = ((name, *(part.name for part in placed[name].parts)) for name in read)
-        made = tuple((step.name, step.name in self.small, hash(step.query)) for step in steps)
-        # A step is made first, and read from its table later on: then its columns are what is asked for.
-        columns = hash(self.steps[target].query) if target in placed else None
-        return target, columns, made, frozenset(places)
-
-    def _composed(self, target: str, placed: Mapping[str, exp.Table], commented: bool) -> exp.Query:
-        if target in placed:
-            query = union_of(self, [target])
-            place(query, placed)
-            return query
-        steps = self.needed([target], placed.keys())
-        query = self.steps[target].query.copy()
-        inputs = [step for step in steps if step.name != target]
-        placed = {**placed, **{step.name: _entry(step.name) for step in inputs}}
-        place(query, placed)
-        if not inputs:
-            return query
-        if isinstance(query, exp.SetOperation):
-            query = _selected_from(query)
-        listed = []
-        for step in inputs:
-            body = step.query.copy()
-            place(body, placed)
-            entry = exp.CTE(this=body, alias=exp.TableAlias(this=_entry(step.name).this))
-            if step.name not in self.small:
-                entry.set("materialized", False)
-            if commented and step.made.comment:
-                body.comments = [f" {step.made.comment} "]
-            listed.append(entry)
-        query.set("with_", exp.With(expressions=listed))
+def _composed(
+    target: str,
+    last: Made,
+    inputs: Sequence[Entry],
+    places: Sequence[tuple[str, exp.Table]],
+    commented: bool = False,
+) -> exp.Query:
+    """Return one query for a step; places are the steps that it reads and that are tables already."""
+    tables = dict(places)
+    if target in tables:
+        query: exp.Query = _columns_of(target, last.query.named_selects)
+        place(query, tables)
         return query
+    query = last.query.copy()
+    tables |= {name: _entry(name) for name, _, _ in inputs}
+    place(query, tables)
+    if not inputs:
+        return query
+    if isinstance(query, exp.SetOperation):
+        query = _selected_from(query)
+    listed = []
+    for name, step, is_small in inputs:
+        body = step.query.copy()
+        place(body, tables)
+        entry = exp.CTE(this=body, alias=exp.TableAlias(this=_entry(name).this))
+        if not is_small:
+            entry.set("materialized", False)
+        if commented and step.comment:
+            body.comments = [f" {step.comment} "]
+        listed.append(entry)
+    query.set("with_", exp.With(expressions=listed))
+    return query
+
+
+#: A query takes about half a megabyte.
+_composed_once = lru_cache(maxsize=256)(_composed)
+
+
+@lru_cache(maxsize=4000)
+def _filled(
+    path: str, slots: tuple[tuple[str, Any, str], ...], inputs: tuple[tuple[str, str], ...]
+) -> Made:
+    """Return a step that is a file of ``sql/``, with the steps that it reads by their names in it."""
+    query = filled(path, {name: value for name, value, _ in slots})
+    return _made(query, template.load(path).comment, dict(inputs))
+
+
+@lru_cache(maxsize=128)
+def _adopted(query: exp.Query, comment: str, inputs: tuple[tuple[str, str], ...]) -> Made:
+    return _made(query.copy(), comment, dict(inputs))
 
 
 def _made(query: exp.Query, comment: str, inputs: Mapping[str, str]) -> Made:
@@ -235,11 +245,13 @@ def union_of(
 ) -> exp.Query:
     """Return the rows of several steps, one under another: the given columns, else all of the first."""
     columns = columns or pipeline.steps[parts[0]].query.named_selects
-    selects: list[exp.Query] = []
-    for part in parts:
-        named = exp.select(*(exp.column(exp.to_identifier(name)) for name in columns))
-        selects.append(named.from_(exp.Table(this=exp.to_identifier(part))))
+    selects = [_columns_of(part, columns) for part in parts]
     return selects[0] if len(selects) == 1 else exp.union(*selects, distinct=False)
+
+
+def _columns_of(step: str, columns: Sequence[str]) -> exp.Select:
+    named = exp.select(*(exp.column(exp.to_identifier(name)) for name in columns))
+    return named.from_(exp.Table(this=exp.to_identifier(step)))
 
 
 def filled(name: str, slots: Mapping[str, template.Slot] | None = None) -> exp.Query:
@@ -257,16 +269,10 @@ def read_as(query: exp.Expr, inputs: Mapping[str, str]) -> None:
             table.set("this", exp.to_identifier(step))
 
 
-def _slot_key(slots: Mapping[str, template.Slot]) -> Hashable:
-    """Return what is equal where the same is filled in: 1 is not 1.0, and 0.0 not -0.0."""
-    said: list[Hashable] = []
-    for name in sorted(slots):
-        value = slots[name]
-        if isinstance(value, Sequence):
-            said.append((name, tuple(value)))
-        else:
-            said.append((name, value if isinstance(value, exp.Expr) else repr(value)))
-    return tuple(said)
+def _hashable(slots: Mapping[str, template.Slot]) -> tuple[tuple[str, Any, str], ...]:
+    """Return slots with how numbers are written: 1 is not 1.0, and 0.0 not -0.0."""
+    plain = sorted((name, tuple(of) if isinstance(of, Sequence) else of) for name, of in slots.items())
+    return tuple((name, of, "" if isinstance(of, (exp.Expr, tuple)) else repr(of)) for name, of in plain)
 
 
 def _entry(step: str) -> exp.Table:

@@ -16,7 +16,7 @@ from sqlglot.errors import ErrorLevel, UnsupportedError
 from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.composing import template
-from gam_db.composing.lately import Lately
+from gam_db.engines.rewrites import at_home, drop_flow_hint, newest_as_largest, strip_null_order
 from gam_db.engines.storage import APART, Storage
 from gam_db.engines.types import USUAL, Types
 from gam_db.errors import EngineError
@@ -35,8 +35,9 @@ _SAID = data.table("gam_db.engines", "engines.toml")
 #: Begins what a statement says that met a value which is not whole.
 REFUSES = "gam-db: "
 
-#: Engine, its home and hash of a tree -> its text.
-_WRITTEN: Lately[str] = Lately(3000)
+#: Texts of late by engine, its home and the hash of the tree, and how many there are at most.
+_TEXTS: dict[tuple[str, str | None, int], str] = {}
+_MOST_TEXTS = 3000
 
 
 def temporary(made: exp.Expr, query: exp.Query | None = None, *storage: exp.Expr) -> exp.Create:
@@ -298,9 +299,13 @@ class Engine:
         """
         if pretty:  # for people, who get the comments, too; equal trees may differ in them
             return self._written(tree, pretty)
-        # Trees are equal where their hashes are, by sqlglot's own rule.
+        # Trees are equal where their hashes are, by sqlglot's own rule; to hold the trees takes memory.
         key = self.name, self.home, hash(tree)
-        return _WRITTEN.get(key, lambda: self._written(tree, pretty))
+        if (text := _TEXTS.get(key)) is None:
+            if len(_TEXTS) >= _MOST_TEXTS:
+                _TEXTS.clear()
+            text = _TEXTS[key] = self._written(tree, pretty)
+        return text
 
     def beginning(self) -> str:
         """Return what a script begins with; empty where that is nothing."""
@@ -331,100 +336,6 @@ def _of_kind(formulas: Formulas, kind: TimeKind) -> str:
 
 #: A dialect of sqlglot, made once: a run writes hundreds of texts.
 _dialect = cache(Dialect.get_or_raise)
-
-
-def strip_null_order(tree: exp.Expr, dialect: Dialect) -> exp.Expr:
-    """Leave the order of NULLs to the engine.
-
-    Cause: engines differ in whether NULL sorts first, so sqlglot adds NULLS LAST to keep DuckDB's
-    order. Symptom: some engines refuse it in windows, and others sort slower for it. The keys we
-    order by are never NULL.
-    """
-    ordering = dialect.NULL_ORDERING
-    for ordered in tree.find_all(exp.Ordered):
-        first_of_all = "nulls_are_large" if ordered.args.get("desc") else "nulls_are_small"
-        ordered.set("nulls_first", ordering == first_of_all)
-    return tree
-
-
-def drop_flow_hint(tree: exp.Expr) -> exp.Expr:
-    """Drop NOT MATERIALIZED, for engines that have no such words and let WITH entries flow anyway."""
-    for entry in tree.find_all(exp.CTE):
-        entry.set("materialized", None)
-    return tree
-
-
-def newest_as_largest(tree: exp.Expr, most: int) -> exp.Expr:
-    """Ask for the largest value up to a row instead of the newest one of some rows, unless they are few.
-
-    Cause: few engines know LAST_VALUE(... IGNORE NULLS), some take the words and ignore them, and one
-    goes back row by row. Symptom: a syntax error, or NULL, or it takes as long as the frame is. Where we
-    ask for it, values grow along the order, and farther back than the frame they do not matter
-    (``sql/embedding/newest.sql``).
-    """
-    for window in tree.find_all(exp.Window):
-        if isinstance(window.this, exp.IgnoreNulls):
-            frame = window.args["spec"]
-            if int(frame.args["start"].name) >= most:
-                window.set("this", exp.Max(this=window.this.this.this))
-                frame.set("start", "UNBOUNDED")
-    return tree
-
-
-def at_home(tree: exp.Expr, home: str) -> exp.Expr:
-    """Write the schema of tables that name none, so that nothing is looked up on a path."""
-    for table in tree.find_all(exp.Table):
-        if isinstance(table.this, exp.Identifier) and not table.db and not _is_entry(table):
-            table.set("db", template.name(home))
-    for comment in tree.find_all(exp.Comment):
-        if isinstance(comment.this, exp.Column) and not comment.this.db:
-            comment.this.set("db", template.name(home))
-    return tree
-
-
-def _is_entry(table: exp.Table) -> bool:
-    """Tell whether a table is an entry of a WITH list around it; an entry sees those before it."""
-    within: exp.Expr | None = table
-    entry: exp.Expr | None = None
-    while within is not None:
-        entry = within if isinstance(within, exp.CTE) else entry
-        entries = within.args.get("with_")
-        for one in entries.expressions if entries is not None else ():
-            if one is entry:
-                break
-            if one.alias == table.name:
-                return True
-        within = within.parent
-    return False
-
-
-def escape_by_backslash(tree: exp.Expr) -> exp.Expr:
-    """Write LIKE patterns with a backslash before a sign that is meant as written.
-
-    Cause: these engines have no ESCAPE clause. Symptom: a syntax error at ESCAPE, for patterns of
-    assets or channels with a wildcard.
-    """
-    for escape in list(tree.find_all(exp.Escape)):
-        like = escape.this
-        pattern = like.expression.this.replace("\\", "\\\\")
-        for sign in "%_!":
-            pattern = pattern.replace(f"!{sign}", sign if sign == "!" else f"\\{sign}")
-        like.set("expression", exp.Literal.string(pattern))
-        escape.replace(like)
-    return tree
-
-
-def compare_by_bytes(collation: exp.Expr, tree: exp.Expr) -> exp.Expr:
-    """Compare and order names by their bytes, by a collation that does, from where they are read on.
-
-    Cause: text is compared and ordered by the collation of its column, else of the database. Symptom:
-    with a common locale (en_US, not C) channels are numbered in another order than elsewhere, and the
-    blocks of a pool with them; in a case-insensitive column A1 and a1 are one machine.
-    """
-    for alias in tree.find_all(exp.Alias):
-        if isinstance(alias.this, exp.Cast) and alias.this.to.is_type(*exp.DataType.TEXT_TYPES):
-            alias.set("this", exp.Collate(this=alias.this.copy(), expression=collation.copy()))
-    return tree
 
 
 def deletion(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Delete:

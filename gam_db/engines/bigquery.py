@@ -2,7 +2,8 @@
 
 from sqlglot import exp
 
-from gam_db.engines.base import Engine, escape_by_backslash
+from gam_db.engines.base import Engine
+from gam_db.engines.rewrites import escape_by_backslash
 from gam_db.engines.storage import Storage, clustered
 from gam_db.engines.types import Types
 

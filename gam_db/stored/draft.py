@@ -5,19 +5,22 @@ the limits, so that versions and limits are there together or not at all.
 """
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Self
 
 from sqlglot import exp
 
 from gam_db.alarms import Alarms
 from gam_db.columns import WORD
+from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.plan import Kind, Plan, Statement
 from gam_db.settings.parameters import Parameters
 from gam_db.stored.alarms import limits
 from gam_db.stored.planning import Row
 from gam_db.stored.schema.migration_files import columns_of
 from gam_db.stored.state import State
 from gam_db.study import Study
+from gam_db.study.running import Running
 
 #: What is appended, in this order, before limits and versions; programs where a column says which ran.
 TAUGHT = (
@@ -65,36 +68,35 @@ class Draft:
     def add(self, channels: Sequence[Row], study: Study) -> None:
         """Take what a group of channels was taught: rows of new channels, and the steps of a study."""
         parts = [part for part in _MADE if f"{part}_rows" in study.steps.steps]
-        placed = study.running.placed
-        if self.state.session.transactions:
+        for part in parts:
+            study.prepare(f"{part}_rows")
+        running, transactions = study.running, self.state.session.transactions
+        waiting = parts if transactions else ["version"]
+        tables = {part: Kind.TABLE if part in waiting else Kind.QUERY for part in parts}
+        running.execute(_plan(study, tables))
+        if transactions:
             self._channels += channels
-            for part in parts:
-                placed[f"{part}_rows"] = self._keep(part, study.query(f"{part}_rows"))
-            for part in parts:
-                del placed[f"{part}_rows"]
-            return
-        queries = {part: study.query(f"{part}_rows") for part in parts}
-        with self.state.alone(self._keys):
-            if channels:
+        else:
+            appends = {part: Kind.APPEND for part in TAUGHT if part in parts}
+            with self.state.alone(self._keys):
                 self.state.append_rows("channel", channels)
-            for part in (part for part in TAUGHT if part in queries):
-                self.state.append(part, queries[part])
-        self._keep("version", queries["version"])
+                running.execute(_plan(study, appends), target=self.state.tables.table)
+        for part in waiting:
+            names = study.steps.steps[f"{part}_rows"].query.named_selects
+            columns = [exp.column(exp.to_identifier(name)) for name in names]
+            self._kept[part].append(exp.select(*columns).from_(running.release(f"{part}_rows")))
 
     def publish(self, name: str, alarms: Alarms, parameters: Parameters) -> None:
         """Write what waits, and limits of a monitor for all versions without one, together."""
         if not self._kept:
             limits.make(self.state, name, alarms, parameters)
             return
-        with self.state.alone(self._keys):
-            if self._channels:
-                self.state.append_rows("channel", self._channels)
-            for part in TAUGHT:
-                self._append(part)
-            versions = self.state.session.keep("versions", self._versions())
-            limits.make(self.state, name, alarms, parameters, versions=versions)
-            self.state.session.forget(versions)
-            self._append("version")
+        with self.state.alone(self._keys), Running(self.state.session, Pipeline()) as running:
+            self.state.append_rows("channel", self._channels)
+            self._append(running, TAUGHT)
+            running.put("versions", self._versions())
+            limits.make(self.state, name, alarms, parameters, versions=running.placed["versions"])
+            self._append(running, ["version"])
 
     def _versions(self) -> exp.Query:
         """Return all versions: those that are there, and the new ones."""
@@ -108,12 +110,14 @@ class Draft:
         tables = (self.state.tables.table("version"), *new)
         return exp.union(*(exp.select(*shown).from_(one.copy()) for one in tables), distinct=False)
 
-    def _keep(self, part: str, query: exp.Query) -> exp.Table:
-        names = [exp.column(exp.to_identifier(name)) for name in query.named_selects]
-        kept = self.state.session.keep(f"{part}_rows", query)
-        self._kept[part].append(exp.select(*names).from_(kept))
-        return kept
+    def _append(self, running: Running, parts: Iterable[str]) -> None:
+        waiting = {(part, n): rows for part in parts for n, rows in enumerate(self._kept[part])}
+        statements = [Statement(f"{part}_{n}", Kind.APPEND, part) for part, n in waiting]
+        queries = {f"{part}_{n}": rows for (part, n), rows in waiting.items()}
+        running.execute(Plan.of(running.steps, statements), queries, self.state.tables.table)
 
-    def _append(self, part: str) -> None:
-        for rows in self._kept[part]:
-            self.state.append(part, rows)
+
+def _plan(study: Study, kinds: Mapping[str, Kind]) -> Plan:
+    """Return what becomes of the rows of some parts of a calibration."""
+    statements = [Statement(f"{part}_rows", kind, part) for part, kind in kinds.items()]
+    return Plan.of(study.steps, statements, study.running.placed)

@@ -72,7 +72,9 @@ class State:
         self.session.execute(insertion(self.tables.table(table), query))
 
     def append_rows(self, table: str, rows: Sequence[Row]) -> None:
-        """Append rows to a state table: what it has columns for, and NULL for what a row lacks."""
+        """Append rows, if any, to a state table: what it has columns for, NULL for what a row lacks."""
+        if not rows:
+            return
         schema = columns_of(table)
         with self.session.lent(table_of(rows, schema)) as lent:
             names = [exp.column(exp.to_identifier(name)) for name in schema.names]

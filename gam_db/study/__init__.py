@@ -35,10 +35,11 @@ from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import AnySource, is_file, paths_of
 from gam_db.study import census
 from gam_db.study.automatic import Siblings, choose
-from gam_db.study.census import Census, Outcome
-from gam_db.study.running import TAUGHT, Listener, Running, unheard
+from gam_db.study.census import Census
+from gam_db.study.naming import seems_ordered
+from gam_db.study.running import TAUGHT, Listener, Running, once_more, unheard
 from gam_db.study.steps import filled, opened, ranged
-from gam_db.study.streaming import Streams, seems_ordered
+from gam_db.study.streaming import Streams
 
 
 class Study:
@@ -102,7 +103,8 @@ class Study:
         until: int | None = None
         self._asked = (*asking, until)
         self._on_step, self._steps_wanted = on_step, frozenset(asked)
-        self._has_census = short_cuts and on_trust and census.serves(self.method)
+        scores = not asked or Ways(asked=self._steps_wanted).scores  # else no vector would prove it
+        self._has_census = short_cuts and on_trust and scores and census.serves(self.method)
         self._form: Streams | Census | None = None
         self._is_checked = False
         self._begin(short_cuts)
@@ -155,6 +157,9 @@ class Study:
             has_room = sum(names["readings"].to_pylist()) <= self.session.rows_at_once()
             # A channel without a healthy range has no vectors that could be kept.
             ways = dataclasses.replace(ways, has_room=has_room and not ways.is_collapsed)
+        ends = (names[edge].drop_null().to_pylist() for edge in ("earliest", "latest"))
+        if census.are_odd([end for edges in ends for end in edges]):
+            self._is_streamed, self._slicing = False, None
         self.running.steps = self._steps(bits, self._slicing, ways)
         self._form = None
         if self._is_streamed and bits is not None:
@@ -173,7 +178,7 @@ class Study:
     @property
     def is_ordered(self) -> bool:
         """Tell whether channels are to be read as they are stored."""
-        return isinstance(self._form, Streams) and self._form.holds
+        return isinstance(self._form, Streams)
 
     @property
     def taught_at_once(self) -> int:
@@ -186,7 +191,7 @@ class Study:
     @property
     def form(self) -> str:
         """What the steps were made by, as far as they were: ``streams``, ``census`` or ``windows``."""
-        if isinstance(self._form, Streams) and self._form.holds_so_far:
+        if isinstance(self._form, Streams) and self._form.has_begun:
             return "streams"
         return "census" if isinstance(self._form, Census) and self._form.is_proven else "windows"
 
@@ -197,17 +202,17 @@ class Study:
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step; the small steps before it are kept for the next call."""
-        self._prepare(step)
+        self.prepare(step)
         return self.running.table(step)
 
     def rows(self, step: str) -> list[Row]:
         """Return the same, each row by the names of its columns."""
-        self._prepare(step)
+        self.prepare(step)
         return self.running.rows(step)
 
     def query(self, step: str) -> exp.Query:
         """Return the query of a step, likewise; it must not be changed."""
-        self._prepare(step)
+        self.prepare(step)
         return self.running.query(step)
 
     def load(self, step: str, rows: pa.Table) -> None:
@@ -218,7 +223,7 @@ class Study:
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
-        self._prepare(step)
+        self.prepare(step)
         self.running.write(step, path, table)
 
     def instant_of(self, time: exp.Expr) -> exp.Expr:
@@ -282,15 +287,16 @@ class Study:
         if isinstance(self._form, Streams):
             self._form.begin_anew()
 
-    def _prepare(self, step: str) -> None:
-        """Let the form prove what a step needs; where it cannot, run the steps once more."""
-        if self._form is None:
-            self._check_programs()
-            return
-        outcome = self._form.prepare(step)
-        if outcome is not Outcome.HOLDS:
-            self._run_again(outcome)
-            self._prepare(step)
+    def prepare(self, step: str) -> None:
+        """Let the form prove what a step needs."""
+        self._check_programs()
+        once_more(partial(self._prove, step), self._collapse)
+
+    def _prove(self, step: str) -> None:
+        if isinstance(self._form, Census) and not self._form.serves(step):
+            self._look_first()
+        if self._form is not None:
+            self._form.prepare(step)
 
     def _check_programs(self) -> None:
         """Refuse more programs than keys have room for; where there are none, nothing is looked at."""
@@ -303,26 +309,26 @@ class Study:
         for row in sorted(taught, key=lambda row: row["program_no"], reverse=True):
             check_programs(self.method.settings[held[row["support_id"]]], row["program_no"] + 1)
 
-    def _run_again(self, outcome: Outcome) -> None:
-        """Run the same steps over readings that are collapsed by instant: the only way back.
-
-        The steps that look first serve what the census does not; they collapse by themselves.
-        """
+    def _collapse(self) -> None:
+        """Let the readings be collapsed by instant, and the census be made of them."""
+        if not self._has_census:
+            self._look_first()
+            return
         running = self.running
-        if outcome is Outcome.REPEATS and self._has_census and not self.is_collapsed:
-            running.forget(but=("readings",))
-            running.steps = self._opening()
-            collapsed = running.steps.copied()
-            add(collapsed, "source/collapsed_readings")
-            running.put("readings", collapsed.query("collapsed_readings", running.placed))
-            self._begin(may_stream=False, is_collapsed=True)
-            if self._slicing is not None:
-                self._choose(self._names())
-                return
-        running.forget(but=() if self.is_collapsed else ("names", "readings", "channels"))
+        running.forget(but=("readings",))
+        running.steps = self._opening()
+        collapsed = running.steps.copied()
+        add(collapsed, "source/collapsed_readings")
+        running.put("readings", collapsed.query("collapsed_readings", running.placed))
+        self._begin(may_stream=False, is_collapsed=True)
+        self._choose(self._names())
+
+    def _look_first(self) -> None:
+        """Choose the steps that look at all times first: they serve all, and collapse by themselves."""
+        self.running.forget(but=() if self.is_collapsed else ("names", "readings", "channels"))
         self._ways = dataclasses.replace(self._ways, is_collapsed=False)
         if self._has_census:  # else the steps at work are these, with what the caller has added
-            running.steps = self._steps(self._bits)
+            self.running.steps = self._steps(self._bits)
         self._form = None
 
     def _readings(self, earliest: int, latest: int) -> exp.Query:
@@ -331,7 +337,7 @@ class Study:
         if "readings" in self.running.placed:  # of a text file, which is not to be parsed again
             within = engine.in_range(TimeKind.COUNTER, exp.column("time"), earliest, latest)
             return union_of(self.steps, ["readings"]).where(*within, copy=False)
-        return ranged(source, relation, engine, method.kind, earliest, latest, until).copy()
+        return ranged(source, relation, engine, method.kind, earliest, latest, until)
 
 
 @contextlib.contextmanager

@@ -7,7 +7,6 @@ it, and between them they hold every sample.
 
 from collections.abc import Callable, Collection
 from dataclasses import replace
-from enum import Enum, auto
 
 import pyarrow as pa
 from sqlglot import exp
@@ -19,26 +18,18 @@ from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.census import EDGES, SCORED, TAUGHT, UNCUT, Slicing, serves, slices_for
 from gam_db.method.delays import IN_ORDER, PROOFS, Ways
-from gam_db.study.running import Between, Running
+from gam_db.study.running import TWICE, Between, RepeatedError, Running
 
-__all__ = ["Census", "Outcome", "begun", "serves"]
+__all__ = ["Census", "are_odd", "begun", "serves"]
 
 #: Rows at the beginning of a source by which its channels are guessed.
 GLANCED = 100_000
 
 
-class Outcome(Enum):
-    """What comes of a proof."""
-
-    HOLDS = auto()  # or is not needed yet
-    REPEATS = auto()  # an instant occurs twice, or no vector could show it
-    UNSERVED = auto()  # the steps of the census do not have the step
-
-
 def begun(
     running: Running, ways: Ways, opening: Callable[[Slicing | None, Ways], Pipeline]
 ) -> tuple[Slicing | None, Ways]:
-    """Begin with the steps of the census, unless times are odd or nothing will be scored.
+    """Begin with the steps of the census, unless times are odd.
 
     The opening steps are at work; ``opening`` gives them for how times are cut, and other ways.
 
@@ -46,8 +37,6 @@ def begun(
         How the times of the source are cut, None where the census does not serve; and what is done in
         the way of the engine and of this source.
     """
-    if ways.asked and not ways.scores:
-        return None, ways  # no vector would prove anything of what comes after calibration
     engine = running.session.engine
     ways = replace(ways, by_sets=engine.by_sets)
     if not ways.by_windows and engine.delays is not None and _has_room(running):
@@ -57,7 +46,7 @@ def begun(
     running.keep("extent")
     (extent,) = running.rows("extent")
     edges = extent["earliest"], extent["latest"]
-    if _are_odd(edges):
+    if are_odd(edges):
         return None, ways
     slicing = Slicing.of(*edges, slices_for(extent["readings"], _channels(running, extent["readings"])))
     running.steps = opening(slicing, ways)
@@ -87,7 +76,7 @@ def _has_room(running: Running) -> bool:
     return bool(size["readings"] <= most)
 
 
-def _are_odd(edges: Collection[int | None]) -> bool:
+def are_odd(edges: Collection[int | None]) -> bool:
     """Tell whether a source has no first and last time, or one beyond all instants."""
     return not edges or any(edge is None or abs(edge) >= FAR_AHEAD for edge in edges)
 
@@ -114,41 +103,51 @@ class Census:
         self.method, self.running, self._ways, self._filled = method, running, ways, filled
         self._between, self.is_proven = between, False
         self._sets = range(len(method.settings))
-        first, last = (names[edge].drop_null().to_pylist() for edge in ("earliest", "latest"))
-        self._is_odd = _are_odd([*first, *last])
-        if not self._is_odd and method.is_cut(min(first)):
+        if method.is_cut(min(names["earliest"].drop_null().to_pylist())):
             self._ways = replace(ways, is_cut=True)
             running.steps = filled(self._ways)
 
-    def prepare(self, step: str) -> Outcome:
-        """Prove what a step needs."""
-        steps = self.running.steps
-        if self._is_odd or step not in steps.steps:
-            return Outcome.UNSERVED
+    def serves(self, step: str) -> bool:
+        """Tell whether there is such a step, and no sample of calibration is scored for it."""
+        return step in self.running.steps.steps and (not self._needs_proof(step) or self._are_apart())
+
+    def prepare(self, step: str) -> None:
+        """Prove what a step needs, which is one that is served.
+
+        Raises:
+            RepeatedError: an instant occurs twice, or no vector could show it.
+        """
+        if self._needs_proof(step):
+            self._prove()
+            self.is_proven = True
+
+    def _needs_proof(self, step: str) -> bool:
+        """Tell whether a step needs a proof that is not there yet."""
         if self.is_proven:
-            return Outcome.HOLDS
-        needed = {step.name for step in steps.needed([step])}
+            return False
+        needed = {step.name for step in self.running.steps.needed([step])}
         # What buckets are counted from is kept; single vectors have the same proof.
         proving = (self._ways.counted, "numbered")
-        if "series" in needed or any(
+        return "series" in needed or any(
             {self._step(of, number) for number in self._sets} <= needed for of in proving
-        ):
-            outcome = self._proof()
-            self.is_proven = outcome is Outcome.HOLDS
-            return outcome
-        return Outcome.HOLDS
+        )
 
-    def _proof(self) -> Outcome:
+    def _are_apart(self) -> bool:
+        """Tell whether calibration ends before scoring begins, which no rule need say."""
+        if self.method.is_parted:
+            return True
+        self._bound_edges()
+        ends = ((row["calibration_end"], row["first_scored"]) for row in self._kept_rows("limits"))
+        return all(taught is None or taught < scored for taught, scored in ends)
+
+    def _prove(self) -> None:
         """Make all vectors, and look whether every sample is in one and none is marked."""
         running, ways = self.running, self._ways
         step = IN_ORDER.get(ways.delays or "")
         if step is not None and self._repeats_in_order(step):
-            return Outcome.REPEATS
+            raise RepeatedError(TWICE)
         self._bound_edges()
         limits = [{**row, "unscored_end": row["first_scored"] - 1} for row in self._kept_rows("limits")]
-        ends = ((row["calibration_end"], row["unscored_end"]) for row in limits)
-        if any(taught is not None and taught > unscored for taught, unscored in ends):
-            return Outcome.UNSERVED  # what is scored holds samples of calibration
         self._bound(TAUGHT, limits, "calibration_from", "unscored_end")
         for number in self._sets:
             bounds, *marked = (
@@ -158,7 +157,7 @@ class Census:
             # A channel without a healthy range has no vector that could show anything.
             is_open = bool(running.table(bounds)["calibrated_lo"].null_count)
             if (is_open and not ways.is_collapsed) or self._is_marked(marked):
-                return Outcome.REPEATS
+                raise RepeatedError("An instant occurs twice, or no vector could show it.")
         if ways.by_sets and self._has_large_support():
             running.steps = self._filled(replace(ways, by_sets=False))
         for number in self._sets:
@@ -167,8 +166,7 @@ class Census:
             )
             self._bound(scored, self._kept_rows(run_up), "read_from")
             if self._is_marked([final]):
-                return Outcome.REPEATS
-        return Outcome.HOLDS
+                raise RepeatedError(TWICE)
 
     def _repeats_in_order(self, step: str) -> bool:
         """Tell whether samples that are kept in order show it, before there are vectors."""

@@ -1,7 +1,7 @@
 """Naming: the names of a source that seems to be stored channel by channel, counted one by one.
 
-This module owns the guess which names there are, and its proof: the rows of all of them are as many as
-the source has. A wrong guess costs time, never a number.
+This module owns which methods are served so, the guess which names there are, and its proof: the rows
+of all of them are as many as the source has. A wrong guess costs time, never a number.
 """
 
 from collections.abc import Iterable
@@ -10,8 +10,11 @@ from functools import partial
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.composing import template
 from gam_db.engines.session import Row
+from gam_db.method import Method
+from gam_db.method.bits import Bits
 from gam_db.study.running import Running
 from gam_db.study.streamed import of_channel, of_each
 
@@ -28,6 +31,42 @@ STREAMED_FROM = 50_000
 MOST_CHANNELS = 256
 
 _NAMES = ("asset", "channel")
+
+
+def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
+    """Tell whether channels seem to be stored one after another.
+
+    If so, *names* is there. Where the vectors will not prove the order of all rows, it is proven.
+    """
+    bits = running.session.engine.bits
+    if bits is None or not _is_plain(method, bits):
+        return False
+    running.prepare("names")
+    is_proven = not vectors_prove(method, scores)
+    names = counted(running, is_proven)
+    if names is None:
+        return False
+    running.load("names", names)
+    return not is_proven or all(names["in_order"].to_pylist())
+
+
+def vectors_prove(method: Method, scores: bool) -> bool:
+    """Tell whether it is known that the study ``scores``, and no row is before calibration."""
+    return scores and all(rule.fraction is not None for rule in method.rules)
+
+
+def _is_plain(method: Method, bits: Bits) -> bool:
+    """Tell whether calibration is one interval, and no sample before it matters: what streams serve."""
+    whole = ((LONG_AGO, FAR_AHEAD),)
+    has_bits = all(bits.serve(setting.radix**setting.m) for setting in method.settings)
+    # What stands still where calibration begins is told by the samples before it.
+    may_begin_late = all(setting.still_after is None for setting in method.settings)
+    are_one = (
+        tuple(rule.allowed) == whole
+        or (may_begin_late and rule.fraction is None and len(rule.allowed) <= 1)
+        for rule in method.rules
+    )
+    return has_bits and method.is_parted and all(are_one)
 
 
 def seems_apart(running: Running) -> bool:

@@ -5,7 +5,7 @@ This module owns when a step becomes a table and when that table goes.
 
 from collections.abc import Callable, Container, Mapping
 from pathlib import Path
-from typing import Any, Self, TypeAlias
+from typing import Any, Self, TypeAlias, TypeVar
 
 import pyarrow as pa
 from sqlglot import exp
@@ -13,6 +13,7 @@ from sqlglot import exp
 from gam_db.composing.pipeline import Pipeline, Slots, Tables, filled, place
 from gam_db.composing.plan import Kind, Plan, Statement, insertion
 from gam_db.engines.session import Row, Session
+from gam_db.errors import InternalError
 
 Listener = Callable[[str], None]
 
@@ -23,6 +24,26 @@ Between: TypeAlias = Callable[[int, int], exp.Query]
 #: can be sorted at once: the cells of each block are kept, on a fine grid nearly a row for each vector,
 #: and what finds no room goes to the disk.
 TAUGHT = 2
+
+T = TypeVar("T")
+
+TWICE = "An instant occurs twice."
+
+
+class RepeatedError(InternalError):
+    """Statements expected each instant once, and their rows do not prove it."""
+
+
+def once_more(work: Callable[[], T], collapse: Callable[[], None]) -> T:
+    """Do work; where an instant may occur twice, collapse the readings and do it once more.
+
+    This is the only fall-back. Collapsed readings have each instant once, so it is needed once.
+    """
+    try:
+        return work()
+    except RepeatedError:
+        collapse()
+    return work()
 
 
 def unheard(_: str) -> None:
@@ -183,6 +204,11 @@ class Running:
         self.session.forget(table)
         for name in [name for name, of in self.placed.items() if of is table]:
             del self.placed[name]
+
+    def release(self, step: str) -> exp.Table:
+        """Return the table of a step, which the caller drops; asked for again, the step is made anew."""
+        del self.placed[step]
+        return self._kept.pop(step)
 
     def kept(self, but: Container[str] = ()) -> list[str]:
         """Return the steps that are kept, but some."""

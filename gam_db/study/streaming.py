@@ -5,7 +5,7 @@ vectors themselves carry, and the count of the calibration samples. Where it is 
 scores, and calibration is a share of each channel, its vectors and the scored ones hold every row. Else
 there are rows in none of them, and the order of all is proven when names are counted
 (:mod:`gam_db.study.naming`).
-What does not hold costs time, never a number: the study goes on with the steps that sort.
+What does not hold costs time, never a number: a study that goes on sorts.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -21,9 +21,8 @@ from gam_db.method import Method
 from gam_db.method.bits import Bits
 from gam_db.method.vectors import Stream
 from gam_db.study import naming, streamed
-from gam_db.study.census import Outcome
 from gam_db.study.narrowing import narrow
-from gam_db.study.running import Running
+from gam_db.study.running import RepeatedError, Running
 from gam_db.study.streamed import Own, of_channel, of_each, own, range_of
 
 #: The steps that streams give: the cells of calibration, block by block, and supports, then the scored
@@ -35,44 +34,8 @@ PROBING, ENDING, RUN_UP = ("probed",), ("stillness",), ("run_up",)
 Make = Callable[[Own], exp.Query]
 
 
-def seems_ordered(method: Method, running: Running, scores: bool) -> bool:
-    """Tell whether channels seem to be stored one after another.
-
-    If so, *names* is there. Where the vectors will not prove the order of all rows, it is proven.
-    """
-    bits = running.session.engine.bits
-    if bits is None or not _is_plain(method, bits):
-        return False
-    running.prepare("names")
-    is_proven = not _vectors_prove(method, scores)
-    names = naming.counted(running, is_proven)
-    if names is None:
-        return False
-    running.load("names", names)
-    return not is_proven or all(names["in_order"].to_pylist())
-
-
-def _vectors_prove(method: Method, scores: bool) -> bool:
-    """Tell whether it is known that the study ``scores``, and no row is before calibration."""
-    return scores and all(rule.fraction is not None for rule in method.rules)
-
-
-def _is_plain(method: Method, bits: Bits) -> bool:
-    """Tell whether calibration is one interval, and no sample before it matters: what streams serve."""
-    whole = ((LONG_AGO, FAR_AHEAD),)
-    has_bits = all(bits.serve(setting.radix**setting.m) for setting in method.settings)
-    # What stands still where calibration begins is told by the samples before it.
-    may_begin_late = all(setting.still_after is None for setting in method.settings)
-    are_one = (
-        tuple(rule.allowed) == whole
-        or (may_begin_late and rule.fraction is None and len(rule.allowed) <= 1)
-        for rule in method.rules
-    )
-    return has_bits and method.is_parted and all(are_one)
-
-
 class Streams:
-    """The streams of a study whose source :func:`seems_ordered`.
+    """The streams of a study whose source :func:`gam_db.study.naming.seems_ordered`.
 
     Args:
         method, running: of the study.
@@ -89,28 +52,30 @@ class Streams:
             Stream(lacks or setting.still_after is not None, gap)
             for setting, gap in zip(method.settings, method.gaps, strict=True)
         ]
-        self.holds, self.is_proven = True, not _vectors_prove(method, scores)
+        self.is_proven = not naming.vectors_prove(method, scores)
         self._sorting: dict[str, Step] = {}
         self._done: set[tuple[str, ...]] = set()
         self._reached: dict[int, dict[str, int]] = {}
         self._taught: dict[int, tuple[Stream, list[Own]]] = {}
 
     @property
-    def holds_so_far(self) -> bool:
-        """Tell whether a step was given, and nothing spoke against it."""
-        return self.holds and bool(self._done)
+    def has_begun(self) -> bool:
+        """Tell whether a step was given."""
+        return bool(self._done)
 
     def begin_anew(self) -> None:
         """Go on with other channels, whose steps are not there yet."""
-        for step in self._sorting.values():  # what was given speaks of the channels before
-            self.running.steps.put(step)
-        self._sorting.clear()
+        self._restore()  # what was given speaks of the channels before
         self._done.clear()
         self._reached = {}
         self._taught = {}
 
-    def prepare(self, step: str) -> Outcome:
-        """Give the steps before one what streams make of them, if it needs them."""
+    def prepare(self, step: str) -> None:
+        """Give the steps before one what streams make of them, if it needs them.
+
+        Raises:
+            RepeatedError: they are not what they should be; the steps at work are those that sort.
+        """
         steps, method = self.running.steps, self.method
         giving = (
             *((LEARNING, self._learn), (PROBING, self._probe), (SCORING, self._score)),
@@ -122,13 +87,11 @@ class Streams:
             # What calibration gives is proven of all rows only when the scored ones are made, too.
             is_proof = part == SCORING and LEARNING in self._done and not self.is_proven
             asked = part not in self._done and (is_proof or bool(needed & given))
-            if self.holds and asked and (part == LEARNING or LEARNING in self._done):
+            if asked and (part == LEARNING or LEARNING in self._done):
                 self._done.add(part)
-                self.holds = give()
-                if not self.holds:
-                    self._give_up()
-                    return Outcome.REPEATS
-        return Outcome.HOLDS
+                if not give():
+                    self._restore()
+                    raise RepeatedError("Rows are not in order, or no vector shows that they are.")
 
     def _learn(self) -> bool:
         """Give figures and the vectors of calibration; tell whether they are as they should be."""
@@ -392,11 +355,11 @@ class Streams:
     def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:
         self._sorting.setdefault(step, self.running.steps.replace(step, query, tables))
 
-    def _give_up(self) -> None:
-        """Let the study begin anew with the steps that sort."""
+    def _restore(self) -> None:
+        """Let the steps be those that sort."""
         for step in self._sorting.values():
             self.running.steps.put(step)
-        self.running.forget(but=("names", "readings", "channels"))
+        self._sorting.clear()
 
 
 _UNSEEN = {"calibration_samples": 0, "context_samples": 0}

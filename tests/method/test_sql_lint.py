@@ -22,7 +22,6 @@ from gam_db.checking.look import add_look
 from gam_db.checking.programs import add_programs, add_usual_run
 from gam_db.clock import TimeKind
 from gam_db.composing import template
-from gam_db.composing.lately import Lately
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines.duckdb import ENGINE
 from gam_db.engines.duckdb.session import DuckSession
@@ -818,8 +817,6 @@ def loading() -> Iterator[set[str]]:
         for made in vars(module).values() if name.startswith("gam_db") else ():
             if hasattr(made, "cache_clear"):
                 made.cache_clear()
-            elif isinstance(made, Lately):
-                made._kept.clear()
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(template, "load", recording)
         yield loaded

@@ -21,7 +21,7 @@ PACKAGE = Path(gam_db.__file__).parent
 #: Lower modules first; one may import what stands in lines above its own, and its own room. Where a room
 #: is a hall, the modules in it are told apart, and its name alone is what stands at its entrance.
 LAYERS = [
-    ["columns", "data", "plot", "sklearn", "version", "composing.lately"],
+    ["columns", "data", "plot", "sklearn", "version"],
     ["errors"],
     ["address", "clock", "extras", "langevin", "composing.template"],
     ["composing.pipeline", "settings.local_time", "settings.setting"],

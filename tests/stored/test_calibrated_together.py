@@ -8,10 +8,12 @@ from sqlglot import exp
 
 import engines
 import scripts
+from gam_db.composing.plan import insertion
 from gam_db.engines.session import Session
+from gam_db.stored import state
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.schema.tables import TABLES
-from gam_db.stored.state import State
+from gam_db.study import running
 from small_plant import FIRST, LENGTH, monitor, readings
 from visible import BUCKETS, NOVEL, CrashError, visible
 
@@ -49,14 +51,14 @@ def rows_of(begun: Monitor) -> dict[str, Any]:
 
 def dying(monkeypatch: pytest.MonkeyPatch, at: str) -> None:
     """Let a process die before it appends to a table for the last time."""
-    append = State.append
 
-    def dies(state: State, table: str, query: exp.Query) -> None:
-        if table == at:
+    def dies(table: exp.Table, rows: exp.Query) -> exp.Insert:
+        if table.name.endswith(f"_{at}"):
             raise CrashError
-        append(state, table, query)
+        return insertion(table, rows)
 
-    monkeypatch.setattr(State, "append", dies)
+    for module in (running, state):  # by a list, and row by row
+        monkeypatch.setattr(module, "insertion", dies)
 
 
 def finished(begun: Monitor) -> list[Any]:

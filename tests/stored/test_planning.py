@@ -8,12 +8,14 @@ import sqlite3
 from collections.abc import Container, Iterator
 from contextlib import closing
 from functools import partial
+from typing import Any
 
 import duckdb
 import pyarrow as pa
 import pytest
 from sqlglot import exp
 
+import by_hand
 import gam_db
 import small_plant
 from gam_db.clock import LONG_AGO
@@ -85,6 +87,49 @@ def test_what_was_recorded_is_what_a_search_finds(
     assert searches == []
     assert max(row["first_bucket"] for row in planned(plant, LOOKBACK, False)) > 20
     assert seen(plant) == small_plant.whole()
+
+
+#: Version, where its data to read begins, how far it was read, and when: today is from 150 on;
+#: what begins before 140 is silent.
+VERSIONS = (
+    *((1, 180, 200, 990), (2, 150, 199, 990), (3, 149, 199, 990), (4, 140, 199, 990)),
+    *((5, 100, 120, 990), (6, 100, 199, 990), (7, 130, 125, 990)),  # silent; two have sent something
+    *((8, 100, 120, 900), (9, 100, 120, 1001)),  # a look is due; so it is where the clock stood ahead
+    (10, 5, LONG_AGO, LONG_AGO),  # new
+)
+
+
+@pytest.mark.parametrize(
+    ("changed", "cohorts", "today_from"),
+    [
+        ({}, [0, 0, 1, 1, 3, 3, 3, 2, 2, 2], 190),
+        ({"everything": 1}, [0, 0, 1, 1, 2, 2, 2, 2, 2, 2], 190),
+        ({"silence": None}, [0, 0, 1, 1, 1, 1, 1, 1, 1, 2], 190),
+        ({"silence": 200}, [0, 0, 1, 1, 1, 1, 1, 1, 1, 2], 190),
+        # The newest data is that of version 1, but for rows ahead of the clock.
+        ({"latest": 195}, [0, 1, 1, 1, 3, 3, 3, 2, 2, 2], 185),
+        ({"lookback": 11}, [0, 0, 0, 1, 3, 3, 3, 2, 2, 2], 189),
+        ({"among": (3, 4, 5, 10)}, [0, 0, 3, 2], 189),
+        ({"among": (10,)}, [2], LONG_AGO - 10),
+    ],
+)
+def test_channels_of_a_run_are_read_in_three_cohorts(
+    changed: dict[str, Any], cohorts: list[int], today_from: int
+) -> None:
+    """A silent one has a value to look for after what was read, or where it is none of the silent."""
+    slots = {"lookback": 10, "silence": 60, "latest": 500, "started": 1000, "day": 100, "everything": 0}
+    slots |= {name: value for name, value in changed.items() if name != "among"}
+    numbers = changed.get("among", range(1, 11))
+    chosen = exp.column("version_id", table="frozen").isin(*numbers)
+    found = by_hand.step(
+        "stored/scoring/cohorts",
+        {**slots, "long_ago": LONG_AGO, "chosen": chosen},
+        plan=by_hand.rows("version_id read_from read_until looked_at", *VERSIONS),
+    )
+    assert [row[:2] for row in found] == list(zip(numbers, cohorts, strict=True))
+    assert {row[3] for row in found} == {today_from}
+    if not changed:
+        assert [row[2] for row in found if row[1] == 3] == [121, 140, 130]
 
 
 def among(assets: Container[str], asset: str, _: str) -> bool:

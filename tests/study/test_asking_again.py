@@ -1,5 +1,6 @@
 """The public calls in an open session: they equal the reference, and nothing is made twice."""
 
+import functools
 from collections import Counter
 from typing import Any
 
@@ -12,7 +13,6 @@ import harness
 import scripts
 from gam_db.clock import TimeKind
 from gam_db.composing import pipeline, template
-from gam_db.composing.lately import Lately
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import base
 from gam_db.engines.base import Engine
@@ -33,8 +33,8 @@ CALIBRATION = gam_db.Calibration(fraction=0.5, overrides={"a*": gam_db.Calibrati
 def made(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """Count what is made: trees that are filled, queries that are composed, texts that are written."""
     counts: Counter[str] = Counter()
-    for owner, name in ((pipeline, "_FILLED"), (pipeline, "_COMPOSED"), (base, "_WRITTEN")):
-        monkeypatch.setattr(owner, name, Lately(getattr(owner, name).most))  # of other tests nothing
+    monkeypatch.setattr(base, "_TEXTS", {})  # of other tests nothing
+    pipeline._filled.cache_clear()
 
     def counted(owner: Any, name: str) -> None:
         plain = getattr(owner, name)
@@ -46,7 +46,8 @@ def made(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
         monkeypatch.setattr(owner, name, counting)
 
     counted(template, "fill_template")
-    counted(Pipeline, "_composed")
+    counted(pipeline, "_composed")
+    monkeypatch.setattr(pipeline, "_composed_once", functools.lru_cache(pipeline._composed))
     counted(Engine, "_written")
     return counts
 

@@ -7,6 +7,7 @@ import math
 import random
 from collections.abc import Mapping, Sequence
 from operator import itemgetter
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -21,6 +22,7 @@ import harness
 import strategies
 from gam_db.engines.session import Session
 from gam_db.study import Study
+from gam_db.study.running import RepeatedError, once_more
 from harness import Answer, Row
 
 pytestmark = pytest.mark.thorough
@@ -285,3 +287,26 @@ def test_random_sources_give_the_integers_of_the_reference(data: st.DataObject) 
     asked, order = data.draw(st.sampled_from([((), ORDER), (("bucket_health",), ORDER)]))
     for engine in ("duckdb", "sqlite"):
         answers(engine, table, harness.made(parameters, calibration), asked, order)
+
+
+def test_there_is_a_single_fall_back() -> None:
+    """Of studies, runs and checks: all else is chosen before the work."""
+    package = Path(gam_db.__file__).parent
+    catching = [
+        path.relative_to(package).as_posix()
+        for path in package.rglob("*.py")
+        for _ in range(path.read_text(encoding="utf-8").count("except RepeatedError"))
+    ]
+    assert catching == ["study/running.py"]
+
+
+def test_work_is_done_once_more_and_no_more_than_that() -> None:
+    done = list[str]()
+
+    def work() -> None:
+        done.append("work")
+        raise RepeatedError("An instant occurs twice.")
+
+    with pytest.raises(RepeatedError):
+        once_more(work, lambda: done.append("collapse"))
+    assert done == ["work", "collapse", "work"]

@@ -6,7 +6,8 @@ What runs it, on a server or in this process, is in driver.py.
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, called, escape_by_backslash, formula, table_as, temporary
+from gam_db.engines.base import Engine, called, formula, table_as, temporary
+from gam_db.engines.rewrites import escape_by_backslash
 from gam_db.engines.storage import Definition, Storage
 from gam_db.engines.types import Types
 

@@ -5,8 +5,9 @@ from functools import partial
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, Texts, compare_by_bytes, formula
+from gam_db.engines.base import Engine, Texts, formula
 from gam_db.engines.duckdb.reading import count_of_text, instant_of_text, is_zoned, number_of, retyped
+from gam_db.engines.rewrites import compare_by_bytes
 from gam_db.engines.types import Types
 from gam_db.method.bits import Bits
 

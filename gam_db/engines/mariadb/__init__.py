@@ -5,7 +5,8 @@ from functools import partial
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.engines.base import Engine, called, compare_by_bytes, escape_by_backslash
+from gam_db.engines.base import Engine, called
+from gam_db.engines.rewrites import compare_by_bytes, escape_by_backslash
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 

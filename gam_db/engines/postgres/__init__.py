@@ -7,7 +7,8 @@ import sqlglot
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.engines.base import Engine, compare_by_bytes
+from gam_db.engines.base import Engine
+from gam_db.engines.rewrites import compare_by_bytes
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 

@@ -62,8 +62,7 @@ class Log:
 
     def keep(self, state: State) -> None:
         """Append the rows."""
-        if self.rows:
-            state.append_rows("episode", self.rows)
+        state.append_rows("episode", self.rows)
 
 
 def records_of(state: State, monitor_id: int) -> list[Row]:

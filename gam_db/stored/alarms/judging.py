@@ -9,6 +9,7 @@ from sqlglot import exp
 
 from gam_db.columns import counts, table_of
 from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.plan import Kind, Plan, Statement
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_kept_judgements
 from gam_db.stored.planning import Row
@@ -49,7 +50,9 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
         )
         with Running(state.session, judging_steps(buckets, since, since_before), placed) as running:
             running.load("judged_until", table_of(alike, UNTIL))
-            state.append("judgement", running.query("judgement_rows"))
+            appended = Statement("judgement_rows", Kind.APPEND, "judgement")
+            plan = Plan.of(running.steps, [appended], running.placed)
+            running.execute(plan, target=state.tables.table)
     return {row["version_id"]: row["first_judgement"] for row in rows}
 
 

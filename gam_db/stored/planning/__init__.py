@@ -1,10 +1,10 @@
 """Planning a run: which channels are read, from where on, and which of them together.
 
-This module owns what is read at all. Channels that have to be read from about the same instant on form
-a cohort, whose lower bound stands as a literal in its query; so one silent channel does not make every
-run a scan of everything. A channel that would have to be read from further back than ``park_after`` is
-parked: a run asks only for values later than those that it has read, and reads the channel if there are
-any, on request, or once a day.
+This module owns what is read at all. Channels are read in three cohorts at most
+(``sql/stored/scoring/cohorts.sql``), each with its lower bound as a literal in its query; so one silent
+channel does not make every run a scan of everything. A channel that would have to be read from further
+back than ``park_after`` is parked: a run asks only for values later than those that it has read, and
+reads the channel if there are any, on request, or once a day.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -21,6 +21,9 @@ Row = dict[str, Any]
 
 #: With at most so many assets, a cohort's query names them.
 _FEW = 64
+
+#: Numbers of cohorts: what is read from far back, and what is not read now.
+FAR_BACK, PARKED = 2, 3
 
 
 @dataclass(frozen=True)
@@ -43,64 +46,24 @@ class Cohort:
         return None if self.everyone else assets_of(self.channels)
 
 
-@dataclass(frozen=True)
-class Plan:
-    """What is to be read now, and what only if values of it are found.
-
-    Attributes:
-        cohorts: to be read; the first holds the channels of today.
-        parked: rows of the plan that are not read now.
-        since: a channel with a value from this instant on is not silent.
-    """
-
-    cohorts: tuple[Cohort, ...]
-    parked: tuple[Row, ...]
-    since: int
-
-
 def assets_of(channels: Iterable[Row]) -> list[str] | None:
     """Return the assets of some channels, in order; None where they are too many for a query."""
     names = sorted({row["asset"] for row in channels})
     return None if len(names) > _FEW else names
 
 
-def planned(
-    rows: Sequence[Row],
-    lookback: int,
-    park_after: int | None,
-    started: int,
-    latest: int,
-    everything: bool,
-) -> Plan:
-    """Return the plan of a run, of the rows of ``sql/stored/scoring/plan.sql``.
+def cohorts(rows: Sequence[Row]) -> list[Cohort]:
+    """Return what a run reads, of the rows of its plan with the columns of ``cohorts.sql``.
 
-    Args:
-        rows: of that file.
-        lookback: how late a row may come, in the unit of time.
-        park_after: how far back a channel is read without a special reason, likewise; None parks none.
-        started: when the run began, in microseconds.
-        latest: the latest instant that counts; the newest data of a fleet is never later.
-        everything: no channel is parked.
+    The first cohort holds the channels of today; it has none where all are parked.
     """
-    fresh = [row for row in rows if row["looked_at"] == LONG_AGO]
-    known = [row for row in rows if row["looked_at"] != LONG_AGO]
-    newest = min(max((row["read_until"] for row in known), default=LONG_AGO), latest)
-    since = LONG_AGO if park_after is None else newest - lookback - park_after
-    active, due, parked = [], [], []
-    for row in known:
-        if row["read_from"] >= since:
-            active.append(row)
-        elif everything or is_due(row["looked_at"], started):
-            due.append(row)
-        else:
-            parked.append(row)
-    groups = [*alike(active, newest, lookback), *alike(due, newest, lookback)]
-    if fresh:
-        groups.append(fresh)
-    if not groups and parked:
-        return Plan((Cohort((), newest - lookback, True),), tuple(parked), since)
-    cohorts = tuple(_cohort(group, number == 0) for number, group in enumerate(groups))
-    return Plan(cohorts, tuple(parked), since)
+    groups = by("cohort", sorted(rows, key=lambda row: row["cohort"]))
+    if len(groups) == 1 and PARKED in groups:
+        return [Cohort((), rows[0]["today_from"], True)]
+    return [
+        Cohort(tuple(group), min(row["read_from"] for row in group), place == 0)
+        for place, group in enumerate(group for number, group in groups.items() if number != PARKED)
+    ]
 
 
 def is_due(last: int, now: int) -> bool:
@@ -108,49 +71,28 @@ def is_due(last: int, now: int) -> bool:
     return not 0 <= now - last < DAY
 
 
-def unread(plan: Plan, lookback: int) -> list[Cohort]:
-    """Return cohorts of parked channels, each with where to look for values that were not read.
+def unread(rows: Iterable[Row]) -> Cohort | None:
+    """Return the parked channels, where to look for values that were not read; None without any.
 
     That is what came after all that was read; of a channel that still sends rows, whatever is new enough
     not to be parked: if there is a value, it is only slow.
     """
-    looks = (min(row["read_until"] + 1, plan.since) for row in plan.parked)
-    looked = zip(plan.parked, looks, strict=True)
-    return others([{**row, "read_from": max(look, row["read_from"])} for row, look in looked], lookback)
+    parked = tuple(row for row in rows if row["cohort"] == PARKED)
+    return Cohort(parked, min(row["look_from"] for row in parked), False) if parked else None
 
 
-def resumed(cohorts: Iterable[Cohort], names: Iterable[Row], plan: Plan, lookback: int) -> list[Cohort]:
-    """Return the cohorts of parked channels that have values in the range where they were looked for.
+def resumed(rows: Iterable[Row], names: Iterable[Row]) -> list[Row]:
+    """Return the rows of a plan, where parked channels with values that were not read are read.
 
-    Args:
-        cohorts: of :func:`unread`.
-        names: what the look at them found.
-        plan: of the run.
-        lookback: in the unit of time.
+    Names are what the look at the parked ones has shown.
     """
     latest = {name_of(row): row["latest"] for row in names if row["readings"] > row["missing_readings"]}
-    looks = {name_of(row): row["read_from"] for cohort in cohorts for row in cohort.channels}
-    back = [row for row in plan.parked if latest.get(name := name_of(row), LONG_AGO) >= looks[name]]
-    return others(back, lookback)
-
-
-def others(rows: Sequence[Row], lookback: int) -> list[Cohort]:
-    """Return the cohorts of channels that come in besides those of the plan."""
-    newest = max((row["read_from"] for row in rows), default=LONG_AGO)
-    return [_cohort(group, False) for group in alike(rows, newest, lookback)]
-
-
-def alike(rows: Sequence[Row], newest: int, lookback: int) -> list[list[Row]]:
-    """Cut channels into cohorts, the most recent first, none of which doubles the time to be read."""
-    groups: list[list[Row]] = []
-    first_age = 0
-    for row in sorted(rows, key=lambda row: -row["read_from"]):
-        age = newest - row["read_from"]
-        if not groups or age > 2 * first_age + lookback:
-            groups.append([])
-            first_age = age
-        groups[-1].append(row)
-    return groups
+    return [
+        {**row, "cohort": FAR_BACK}
+        if row["cohort"] == PARKED and latest.get(name_of(row), LONG_AGO) >= row["look_from"]
+        else row
+        for row in rows
+    ]
 
 
 def portions(
@@ -206,7 +148,3 @@ def _below(
         total += count
     if group:
         yield group
-
-
-def _cohort(rows: Sequence[Row], everyone: bool) -> Cohort:
-    return Cohort(tuple(rows), min(row["read_from"] for row in rows), everyone)

@@ -4,7 +4,8 @@ This module owns the conditions on the source's own columns, and the table that 
 which channels are read from where on.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import pyarrow as pa
@@ -14,6 +15,7 @@ from gam_db.clock import FAR_AHEAD, LONG_AGO, TimeKind
 from gam_db.columns import COUNT, SHARE, WORD, columns, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.plan import Kind, Plan, Statement
 from gam_db.engines.session import Session
 from gam_db.errors import wrong
 from gam_db.method.programs import gathered
@@ -24,10 +26,13 @@ from gam_db.settings.source import AnySource, Programs, parsed_condition, under
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.steps import DAY, plan_steps, reading_steps, searched_plan_steps
 from gam_db.stored.state import State, first_run_at, now
-from gam_db.study.running import Running
+from gam_db.study.running import TWICE, RepeatedError, Running, once_more
 
 #: Keys that a condition lists; of more it says in which range they are.
 _LISTED = 1000
+
+#: Tables that stay where a list is executed once more.
+_STAYING = ("cohort", "recount", "identified")
 
 #: How far back lie the runs that are looked at first, in microseconds: there are more with the years.
 RECENT = 31 * DAY
@@ -189,6 +194,14 @@ def listed(column: exp.Expr, found: Iterable[int]) -> exp.Expr:
     return exp.In(this=column, expressions=[exp.Literal.number(key) for key in keys])
 
 
+def among(rows: Sequence[Row], planned: int) -> exp.Expr:
+    """Return the condition on *frozen* that it is one of some rows of the plan, which has so many."""
+    if len(rows) in (0, planned):
+        return exp.true()
+    versions = [exp.Literal.number(row["version_id"]) for row in rows]
+    return exp.In(this=exp.column("version_id", table="frozen"), expressions=versions)
+
+
 def identified(running: Running, rows: exp.Query) -> exp.Query:
     """Return the query of the readings of a cohort, which is a table; rows are the step *readings*."""
     steps = reading_steps(rows)
@@ -197,23 +210,32 @@ def identified(running: Running, rows: exp.Query) -> exp.Query:
     return steps.query("identified", running.placed)
 
 
-def make_vectors(running: Running, programs: Programs | None = None) -> None:
-    """Keep *visited*, the scored vectors in groups, of the steps of a run.
-
-    Where an instant occurs twice, the steps run once more over readings that are collapsed by instant.
-    """
-    before = running.kept()
-    running.keep("visited")
-    if "repeated_instants" in running.steps.steps and running.rows("repeated_instants"):
-        running.forget(but=before)
-        collapse(running, programs)
-        running.keep("visited")
+def vector_statements(steps: Pipeline) -> list[Statement]:
+    """Return the statements that make the scored vectors, and verify that no instant occurs twice."""
+    if "repeated_instants" not in steps.steps:
+        return [Statement("visited")]
+    verify = Statement("repeated_instants", Kind.VERIFY, failure=lambda _: RepeatedError(TWICE))
+    return [Statement("visited"), verify]
 
 
-def collapse(running: Running, programs: Programs | None) -> None:
-    """Let the kept readings *identified* be collapsed by instant."""
-    running.make("stored/scoring/repeats", {}, "timeline")
-    running.make("stored/scoring/collapsed", {"gathered": gathered("reading", programs)}, "identified")
+def make_vectors(running: Running, programs: Programs | None) -> None:
+    """Keep *visited*, the scored vectors in groups, of the steps of a run."""
+    plan = Plan.of(running.steps, vector_statements(running.steps), running.placed)
+    execute(running, plan, {}, programs)
+
+
+def execute(
+    running: Running, plan: Plan, queries: Mapping[str, exp.Query], programs: Programs | None
+) -> dict[str, list[Row]]:
+    """Execute a list with such statements; where an instant occurs twice, *identified* is collapsed."""
+
+    def collapse() -> None:
+        running.forget(but=_STAYING)
+        running.make("stored/scoring/repeats", {}, "timeline")
+        slots: dict[str, template.Slot] = {"gathered": gathered("reading", programs)}
+        running.make("stored/scoring/collapsed", slots, "identified")
+
+    return once_more(partial(running.execute, plan, queries), collapse)
 
 
 def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:

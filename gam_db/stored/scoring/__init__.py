@@ -5,7 +5,7 @@ This module owns what a run reads, and in which portions (:mod:`gam_db.stored.sc
 
 from dataclasses import replace
 
-from gam_db.clock import LONG_AGO, shown_instant
+from gam_db.clock import FAR_AHEAD, LONG_AGO, shown_instant
 from gam_db.columns import name_of, table_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
@@ -16,10 +16,17 @@ from gam_db.reading.ahead import rows_ahead
 from gam_db.settings.source import AnySource
 from gam_db.stored.alarms.explaining import explain
 from gam_db.stored.checking.proving import verify_daily
-from gam_db.stored.planning import Cohort, Row, planned, portions, resumed, rows_of, unread
+from gam_db.stored.planning import PARKED, Cohort, Row, cohorts, portions, resumed, rows_of, unread
 from gam_db.stored.planning.gone import staying_rows
-from gam_db.stored.planning.reading import PLAN, Reader, last_times, plan_rows, searched_plan_rows
-from gam_db.stored.planning.steps import reading_steps
+from gam_db.stored.planning.reading import (
+    PLAN,
+    Reader,
+    among,
+    last_times,
+    plan_rows,
+    searched_plan_rows,
+)
+from gam_db.stored.planning.steps import DAY, reading_steps
 from gam_db.stored.scoring.portion import Scoring
 from gam_db.stored.scoring.publishing import planned_runs
 from gam_db.stored.scoring.report import Report, Wanted
@@ -79,16 +86,13 @@ class Run:
         if not dry_run:
             self.scoring.is_thorough |= verify_daily(self.state, self.monitor)
         self.rows = rows = self._plan()
-        everything = wanted.everything or wanted.full or wanted.repair_from is not None
-        latest, park_after = self.reader.clock.latest, wanted.park_after
-        plan = planned(rows, wanted.lookback, park_after, self.started, latest, everything)
+        if (parked := unread(rows)) is not None:
+            self.rows = rows = resumed(rows, self._look(parked))
+        plan = cohorts(rows)
         if not wanted.confirmed and wanted.is_anew:
-            for cohort in plan.cohorts:
+            for cohort in plan:
                 self._refuse_loss(cohort)
-        looks = unread(plan, wanted.lookback)
-        values = [row for cohort in looks for row in self._look(cohort)]
-        back = resumed(looks, values, plan, wanted.lookback)
-        for cohort in [*plan.cohorts, *back]:
+        for cohort in plan:
             names = self._look(cohort)
             if cohort.everyone:
                 self.report.note_unknown(names, known)
@@ -106,8 +110,8 @@ class Run:
             for group in portions(cohort.channels, counts, limit, self.scoring.shape):
                 self.scoring.score(group, cohort, rows_of(group, counts))
         self.report.channels = self.scoring.channels
-        self.report.parked = len(plan.parked) - sum(len(cohort.channels) for cohort in back)
-        self.report.ahead = rows_ahead(self.session, self.reader.ahead(), latest)
+        self.report.parked = sum(row["cohort"] == PARKED for row in rows)
+        self.report.ahead = rows_ahead(self.session, self.reader.ahead(), self.reader.clock.latest)
         self.report.note_undated(self.reader.undated())
         self._note_validity()
         if not dry_run:
@@ -151,7 +155,23 @@ class Run:
                 stored = [ends[row["version_id"]] for row in chosen if row["version_id"] in ends]
                 self._check_begin(self.wanted.repair_from, max(stored, default=None))
             self._check_end([row for row in later if row["version_id"] in ends])
-        return chosen
+        return self._with_cohorts(chosen)
+
+    def _with_cohorts(self, rows: list[Row]) -> list[Row]:
+        """Return rows of *plan* with the columns of ``cohorts.sql``."""
+        wanted, after = self.wanted, self.wanted.park_after
+        slots: dict[str, template.Slot] = {
+            "chosen": among(rows, self.scoring.planned),
+            "lookback": wanted.lookback,
+            "silence": None if after is None else min(wanted.lookback + after, FAR_AHEAD),
+            "latest": self.reader.clock.latest,
+            "started": self.started,
+            "day": DAY,
+            "everything": int(wanted.everything or wanted.is_anew),
+            "long_ago": LONG_AGO,
+        }
+        read = {row["version_id"]: row for row in self.running.asked("stored/scoring/cohorts", slots)}
+        return [row | read[row["version_id"]] for row in rows]
 
     def _check_begin(self, begin: int, newest: int | None) -> None:
         """Refuse to score anew from an instant on where nothing is stored."""

@@ -4,15 +4,15 @@ This module owns which statements a run of one shape executes, and in which orde
 what differs from run to run comes as tables, or as the queries of one execution.
 """
 
-from collections.abc import Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from gam_db.clock import TimeKind
 from gam_db.composing.plan import Kind, Plan, Statement
-from gam_db.errors import ConflictError, GamError, InternalError
+from gam_db.errors import ConflictError
 from gam_db.method.bits import Bits
 from gam_db.stored.planning.published import former, published
+from gam_db.stored.planning.reading import vector_statements
 from gam_db.stored.planning.setting import Setting
 from gam_db.stored.planning.steps import scoring_steps
 
@@ -29,22 +29,6 @@ GONE = (
 
 #: Tables of the whole run, which its lists read.
 _BEFORE = frozenset(("plan", "names", "planned_runs"))
-
-
-class RepeatedError(InternalError):
-    """An instant occurs twice: the list is executed once more, over collapsed readings."""
-
-
-def _is_changed(_: Sequence[dict[str, Any]]) -> GamError:
-    return ConflictError(CHANGED)
-
-
-def _is_gone(_: Sequence[dict[str, Any]]) -> GamError:
-    return ConflictError(GONE)
-
-
-def _repeats(_: Sequence[dict[str, Any]]) -> GamError:
-    return RepeatedError("An instant occurs twice.")
 
 
 class Shape(NamedTuple):
@@ -74,13 +58,12 @@ def counting(shape: Shape) -> Plan:
     :func:`gam_db.stored.planning.steps.scoring_steps`.
     """
     steps, programs = scoring_steps(*shape), shape.setting.has_programs
-    tables = ("cohort", *["recount"] * shape.recounted, "identified", "visited")
-    statements = [Statement(name) for name in tables]
-    if "repeated_instants" in steps.steps:
-        statements.append(Statement("repeated_instants", Kind.VERIFY, failure=_repeats))
-    statements += [
+    tables = ("cohort", *["recount"] * shape.recounted, "identified")
+    statements = [
+        *map(Statement, tables),
+        *vector_statements(steps),
         Statement("past_buckets"),
-        Statement("past_missing", Kind.VERIFY, failure=_is_gone),
+        Statement("past_missing", Kind.VERIFY, failure=lambda _: ConflictError(GONE)),
         Statement("new_buckets"),
         *(Statement(name) for name in former(programs).values() if shape.compared),
         Statement("scored", Kind.ANSWER),
@@ -102,7 +85,7 @@ def publishing(shape: Shape, transactions: bool) -> tuple[Plan, Plan]:
     """
     steps, programs = counting(shape).steps, shape.setting.has_programs
     *parts, last = published(programs)
-    verify = Statement("unplanned", Kind.VERIFY, failure=_is_changed)
+    verify = Statement("unplanned", Kind.VERIFY, failure=lambda _: ConflictError(CHANGED))
     appends = [Statement(part, Kind.APPEND, part.removesuffix("_rows")) for part in parts]
     commit = [Statement(last, Kind.APPEND, last.removesuffix("_rows"))]
     if transactions:

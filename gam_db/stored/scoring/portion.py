@@ -21,10 +21,10 @@ from gam_db.stored.alarms.judging import buckets_of, judge
 from gam_db.stored.checking.proving import verify
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
 from gam_db.stored.planning.published import former, former_slots
-from gam_db.stored.planning.reading import Reader, collapse, identified, near
+from gam_db.stored.planning.reading import Reader, among, execute, identified, near
 from gam_db.stored.planning.setting import Setting, shape_of, shared_by
 from gam_db.stored.planning.steps import past_slots, reading_steps
-from gam_db.stored.scoring.lists import RepeatedError, Shape, counting, hidden_tables, publishing
+from gam_db.stored.scoring.lists import Shape, counting, hidden_tables, publishing
 from gam_db.stored.scoring.publishing import look_again, unplanned, withdraw
 from gam_db.stored.scoring.report import Wanted
 from gam_db.stored.state import State, now
@@ -32,9 +32,6 @@ from gam_db.study.running import Listener, Running
 
 #: Supports are kept as bits where they take no more of them than so many times the rows to be scored.
 BITS_OF_A_ROW = 512
-
-#: Tables that stay where the list is executed once more.
-_STAYING = ("cohort", "recount", "identified")
 
 #: What judgements are made of: what a run writes.
 _JUDGED = {"cohort": "changed", "new_buckets": "written"}
@@ -77,12 +74,7 @@ class Scoring:
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
             queries = self._queries(running, group, shape, assets)
-            try:
-                scored = running.execute(plan, queries)["scored"]
-            except RepeatedError:
-                running.forget(but=_STAYING)
-                collapse(running, setting.programs)
-                scored = running.execute(plan, queries)["scored"]
+            scored = execute(running, plan, queries, setting.programs)["scored"]
             lists = publishing(shape, self.state.session.transactions)
             self._publish(running, group, scored, *lists)
 
@@ -129,16 +121,12 @@ class Scoring:
     def _cohort(self, group: Sequence[Row], recounted: bool) -> exp.Query:
         """Return the query of the channels of a group, among those of the plan."""
         wanted = self.wanted
-        chosen: exp.Expr = exp.true()
-        if len(group) < self.planned:
-            versions = [exp.Literal.number(row["version_id"]) for row in group]
-            chosen = exp.In(this=exp.column("version_id", table="frozen"), expressions=versions)
         slots: dict[str, template.Slot] = {
             "lookback": wanted.lookback,
             "until": FAR_AHEAD if wanted.until is None else wanted.until,
             "recounted": int(recounted),
             "differs": int(wanted.is_anew),
-            "chosen": chosen,
+            "chosen": among(group, self.planned),
         }
         query = filled("stored/scoring/cohort", slots)
         place(query, self.tables)

@@ -111,8 +111,7 @@ class Report:
                 before = {"monitor": template.text(monitor["name"])}
                 expired = state.query("stored/pruning/expired_left_out", before)
                 state.session.delete(state.tables.table("left_out"), expired.named_selects, expired)
-            if self.left_out:
-                state.append_rows("left_out", [{**run, **row} for row in self.left_out])
+            state.append_rows("left_out", [{**run, **row} for row in self.left_out])
 
     @property
     def left_out(self) -> list[Row]:
