@@ -4,6 +4,7 @@ import contextlib
 import os
 import re
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db import data
+from gam_db.composing.lately import Lately
 from gam_db.engines.base import temporary
 from gam_db.engines.driver import Driver
 from gam_db.engines.duckdb import ENGINE
@@ -54,6 +56,11 @@ _FILE = re.compile(r'file "([^"]+)"')
 #: What one reading takes while it is scored, in bytes: kept once, sorted in a window, joined.
 _PER_READING = 100
 
+#: Statements that were parsed lately, by their texts. Parsing is a fifth of what a statement costs that
+#: works on few rows, and a run asks the same ones for each group of channels; each takes about 20 times
+#: the memory of its text.
+_PARSED: Lately[Any] = Lately(1000)
+
 _AT_WORK = data.table("gam_db.engines.duckdb", "duckdb.toml")
 _QUERIES = _AT_WORK["queries"]
 
@@ -86,7 +93,7 @@ class DuckDriver(Driver):
     def execute(self, statement: str) -> None:
         """Run one statement, and say why the database cannot be written if it cannot."""
         try:
-            self.connection.execute(statement)
+            self.connection.execute(parsed(statement))
         except duckdb.Error as error:
             # Of a commit that the disk had no room for, DuckDB says that the transaction failed.
             told = refusal("duckdb_writing", type(error).__name__, str(error))
@@ -95,12 +102,12 @@ class DuckDriver(Driver):
             raise told from error
 
     def fetch(self, query: str) -> pa.Table:
-        return self.connection.sql(query).to_arrow_table()
+        return self.connection.sql(parsed(query)).to_arrow_table()
 
     def rows(self, query: str) -> list[dict[str, Any]]:
         # Not by way of Arrow: a relation is bound when it is made, and again when its rows are read.
         # (Of instants with a zone DuckDB makes Python's by pytz only; nothing that is read so has any.)
-        found = self.connection.execute(query)
+        found = self.connection.execute(parsed(query))
         names = [column[0] for column in found.description]
         return [dict(zip(names, row, strict=True)) for row in found.fetchall()]
 
@@ -123,7 +130,7 @@ class DuckDriver(Driver):
         """
         try:
             first, second = (
-                self.connection.execute("SELECT txid_current()").fetchall() for _ in range(2)
+                self.connection.execute(parsed("SELECT txid_current()")).fetchall() for _ in range(2)
             )
         except duckdb.TransactionException:  # one that has failed already
             return True
@@ -140,7 +147,7 @@ class DuckDriver(Driver):
                 raise self.problem(error) or EngineError(UNWRITTEN) from error
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
-        self.connection.execute(self.engine.text(temporary(table, query)))
+        self.connection.execute(parsed(self.engine.text(temporary(table, query))))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         """Let an Arrow table be read where it lies, or refuse types that DuckDB has not."""
@@ -173,7 +180,7 @@ class DuckDriver(Driver):
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         everything = exp.Describe(this=exp.select("*").from_(relation))
-        rows = self.connection.execute(self.engine.text(everything)).fetchall()
+        rows = self.connection.execute(parsed(self.engine.text(everything))).fetchall()
         types = {str(row[0]): str(row[1]) for row in rows}
         return types | {one.name: one.shown for one in self._differing.get(relation, [])}
 
@@ -289,7 +296,26 @@ class DuckDriver(Driver):
 
     def asked(self, query: str, *values: Any) -> list[tuple[Any, ...]]:
         """Return the rows of a query on the catalogue."""
-        return self.connection.execute(_QUERIES[query], values).fetchall()
+        return self.connection.execute(parsed(_QUERIES[query]), values).fetchall()
+
+
+def parsed(text: str) -> Any:
+    """Return a statement as DuckDB parses it where nothing is set: a user's settings do not matter.
+
+    Raises:
+        duckdb.Error: it is no statement.
+    """
+
+    def parse() -> Any:
+        (statement,) = _parser().extract_statements(text)
+        return statement
+
+    return _PARSED.get(text, parse)
+
+
+@cache
+def _parser() -> duckdb.DuckDBPyConnection:
+    return duckdb.connect(config={"threads": 1})
 
 
 def _place(said: str) -> str:
