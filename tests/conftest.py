@@ -92,8 +92,9 @@ def pytest_collection_finish() -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Keep a database small that grows slow with its tables; let states begin as the test wants it."""
-    engines.begin()
+    """Let the test have databases in memory of its own, and states begin as it wants it."""
+    callspec = getattr(item, "callspec", None)
+    engines.begin(callspec.params.get("engine") if callspec else None)
     begun.is_copied = item.get_closest_marker("migrates") is None
 
 

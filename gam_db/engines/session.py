@@ -66,8 +66,7 @@ class Session:
                 self.driver.drop(made)
             for dropped in self._defined.values():
                 self.driver.execute(self.engine.text(dropped))
-            if self._number is not None:
-                _NUMBERS.discard(self._number)
+            self._give_back()
         self._number = None
         self._made.clear()
         self._defined.clear()
@@ -215,6 +214,8 @@ class Session:
         with contextlib.suppress(*self.driver.errors):
             self.driver.drop(kept)
             del self._made[kept.name]
+            if not self._made and not self._defined:  # many a session is never closed
+                self._give_back()
 
     def define(self, step: str, query: exp.Query, parameters: Sequence[str]) -> str:
         """Let a query be called like a table, and return its name; for an engine with macros (DuckDB).
@@ -270,6 +271,12 @@ class Session:
                 self._number = next(one for one in itertools.count() if one not in _NUMBERS)
                 _NUMBERS.add(self._number)
         return f"gam_{self._number}_{step}"
+
+    def _give_back(self) -> None:
+        """Let other sessions have the number."""
+        if self._number is not None:
+            _NUMBERS.discard(self._number)
+            self._number = None
 
     def _new(self, step: str) -> exp.Table:
         # A name that is free again comes again, and with it the texts that hold it.

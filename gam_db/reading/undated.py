@@ -120,8 +120,8 @@ def undated(
             suspect.append(formula(engine.timeless, time=time))
         clock = clock_of(source)
         for edges in () if clock is None else clock.skipped():
-            suspect.append(exp.and_(*engine.in_range(kind, time, *edges)))
-        source = under(source, exp.paren(exp.or_(*suspect)))
+            suspect.append(exp.and_(*engine.in_range(kind, time, *edges), copy=False))
+        source = under(source, exp.paren(exp.or_(*suspect, copy=False), copy=False))
     (row,) = session.rows(engine.undated(source, relation, kind))
     return Undated(**row)
 

@@ -65,14 +65,15 @@ def ranged_readings(
         rows = readings(ranged, relation, micros_of, number_of, unpivots, validity)
         programs = [] if source.program is None else [exp.column("program")]
         filled = template.fill(file, {**slots, "carried": programs})
-        read_from(rows.subquery("local_readings"), filled)
+        read_from(rows.subquery("local_readings", copy=False), filled)
         return filled  # type: ignore[return-value]
 
     near = within(*edges)
     once = by_time(time, pieces, lambda piece: TWICE if piece.is_twice else piece.shift)
     branches = [shown("source/shown_once", near, shift=once, twice=TWICE)]
     if repeated := clock.repeated(*edges):
-        among = exp.paren(exp.or_(*(exp.and_(*within(*ends)) for ends in repeated)))
+        hours = (exp.and_(*within(*ends), copy=False) for ends in repeated)
+        among = exp.paren(exp.or_(*hours, copy=False), copy=False)
         passes = [piece for piece in pieces if piece.is_twice]
         first, second = (by_time(time, passes, one) for one in (lambda p: p.shift, lambda p: p.second))
         ordered: list[exp.Expr] = []
@@ -86,8 +87,8 @@ def ranged_readings(
         return made
     columns = [exp.column(name) for name in made.named_selects]
     ends = template.node_of(earliest), template.node_of(latest)
-    zoned = exp.select(*columns).from_(made.subquery("zoned"))
-    return up_to(zoned if is_whole else zoned.where(time.between(*ends)), "time", until)
+    zoned = exp.select(*columns).from_(made.subquery("zoned", copy=False))
+    return up_to(zoned if is_whole else zoned.where(time.between(*ends), copy=False), "time", until)
 
 
 def undated(source: AnySource, relation: exp.Expr, micros_of: TimeNode) -> exp.Query:

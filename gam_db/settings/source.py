@@ -251,8 +251,8 @@ def _reading(source: AnySource, reading: exp.Expr, validity: bool) -> exp.Expr:
 
 
 def stacked(branches: Sequence[exp.Query]) -> exp.Query:
-    """Return the rows of all branches."""
-    return branches[0] if len(branches) == 1 else exp.union(*branches, distinct=False)
+    """Return the rows of all branches, which become part of it."""
+    return branches[0] if len(branches) == 1 else exp.union(*branches, distinct=False, copy=False)
 
 
 def named_by(column: str | None, otherwise: str) -> exp.Expr:

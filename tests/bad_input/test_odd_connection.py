@@ -9,8 +9,10 @@ import pyarrow as pa
 import pyarrow.csv
 import pyarrow.parquet
 import pytest
+import sqlglot
 
 from gam_db import Calibration, Source
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import EngineError
 from odd import DAY, LENGTH, USUAL, USUAL_ROWS, database, expected, health, refused, support, table
 
@@ -110,6 +112,15 @@ def test_settings_that_must_not_matter(mine: duckdb.DuckDBPyConnection) -> None:
     mine.execute("SET python_enable_replacements = false")
     mine.execute("SET preserve_insertion_order = false")
     assert health(Source("t"), engine=mine) == expected(USUAL_ROWS)
+
+
+def test_a_statement_is_read_the_same_on_every_connection(mine: duckdb.DuckDBPyConnection) -> None:
+    """A setting of a connection changes neither its own statements nor those of the next one."""
+    share = sqlglot.parse_one("SELECT 7 / 2 AS share", dialect="duckdb")
+    mine.execute("SET integer_division = true")
+    assert DuckSession(mine).rows(share) == [{"share": 3.5}]
+    with duckdb.connect() as other:
+        assert DuckSession(other).rows(share) == [{"share": 3.5}]
 
 
 def test_engines_that_are_none(tmp_path: Path) -> None:

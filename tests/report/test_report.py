@@ -59,7 +59,8 @@ def made(session: Session, name: str = "default", prefix: str = "") -> gam_db.Mo
 @functools.cache
 def shared(engine: str) -> gam_db.Monitor:
     """One monitor of it on an engine, which no test writes to."""
-    return made(engines.session(engine))
+    stays = engine not in engines.IN_MEMORY
+    return made(engines.session(engine) if stays else engines.OPENERS[engine]())
 
 
 def data_of(path: Path) -> dict[str, Any]:

@@ -137,7 +137,7 @@ def key(row: dict[str, Any]) -> tuple[Any, ...]:
 def test_any_mix_ends_in_the_tables_of_one_full_run(engine: str, is_full: bool) -> None:
     for seed in range(HISTORIES[engine][is_full]):
         told = history(KINDS[seed % len(KINDS)], seed, CHANNELS, mixed=True)
-        engines.begin()
+        engines.begin(engine)
         with pytest.MonkeyPatch.context() as patched:
             course = Course(engines.session(engine), told, patched)
             course.play()

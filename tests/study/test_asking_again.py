@@ -4,6 +4,7 @@ import functools
 from collections import Counter
 from typing import Any
 
+import duckdb
 import pytest
 from sqlglot import exp
 
@@ -16,6 +17,7 @@ from gam_db.composing import pipeline, template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import base
 from gam_db.engines.base import Engine
+from gam_db.engines.duckdb.session import DuckSession
 from gam_db.method import Method
 from gam_db.study import Study
 from gam_db.study.steps import filled
@@ -76,6 +78,20 @@ def test_asking_again_composes_nothing(kind: str, engine: str, made: Counter[str
     assert other["health_indicator"] != first["health_indicator"]
     assert session.relations() == before  # what was kept on the way is gone
     scripts.clear(session, table.name, f"{table.name}none_")
+
+
+def test_a_session_left_open_costs_the_next_one_nothing(made: Counter[str]) -> None:
+    """It holds no number while it holds no table, so the next one's tables have the same names."""
+    source = gam_db.Source("telemetry")
+    with duckdb.connect() as connection, duckdb.connect() as other:
+        for one in (connection, other):
+            one.register("arriving", harness.arrow(ROWS))
+            one.execute("CREATE TABLE telemetry AS SELECT * FROM arriving")
+        first = answers(DuckSession(connection), source, PARAMETERS)
+        assert made
+        made.clear()
+        assert answers(DuckSession(other), source, PARAMETERS) == first
+        assert not made
 
 
 def test_what_is_added_to_one_study_is_not_in_the_next() -> None:

@@ -11,7 +11,7 @@ import sqlglot
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.engines.duckdb.driver import DuckDriver
+from gam_db.engines.duckdb.driver import DuckDriver, parsed
 from gam_db.engines.duckdb.files import metadata
 from gam_db.engines.duckdb.journal import Journal, put_back
 from gam_db.engines.refusals import refused
@@ -188,7 +188,7 @@ class DuckSession(Session):
         """Run what writes a file; whoever asks says why one cannot be written."""
         text = self.engine.text(tree)
         try:
-            self._asked(lambda: self.connection.execute(text), text)
+            self._asked(lambda: self.connection.execute(parsed(text)), text)
         except (StatementError, FullError) as error:
             if isinstance(error.__cause__, (duckdb.IOException, duckdb.BinderException)):
                 raise error.__cause__ from None
