@@ -1,0 +1,381 @@
+"""Runs with no Python: what `run.sql` leaves is what `gam score` leaves, number for number."""
+
+import contextlib
+import re
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sqlglot import exp
+from typer.testing import CliRunner
+
+import command_lines
+import engines
+import gam_db
+import harness
+import scripts
+import sets
+import test_stored_alarms
+from batches import History, history
+from gam_db.cli import app
+from gam_db.clock import TimeKind
+from gam_db.engines.session import Session
+from gam_db.errors import UserError
+from gam_db.export.monitor import rendered
+from gam_db.stored.monitor import Monitor
+from harness import Row
+from visible import CrashError, crashing, visible
+
+pytestmark = pytest.mark.thorough
+
+#: Engines whose command lines execute it.
+RUNS = ("duckdb", "sqlite", "postgres", "mariadb")
+
+#: Tables that a run writes, and their columns; the numbers of runs differ, and their order counts.
+TABLES = {
+    "bucket": """version_id, bucket_no, run_id, first_time, last_time, context_time, samples, still,
+        novel, out_of_range, novel_in_window""",
+    "novel": "version_id, bucket_no, run_id, cell_key, visits, first_time, last_time",
+    "run": """version_id, run_id, planned_from, from_bucket, read_from, read_to, rows_read, context_rows,
+        context_expected, calibration_readings, lookback, settled_bucket, settled_time, settled_context,
+        still_since, hides, made_from, withdrawn""",
+    "judgement": """version_id, bucket_no, run_id, judgement_no, first_time, last_time, novel, root,
+        reference, height, evidence, is_open, last_zero""",
+    "proof": "extent, channels, versions, buckets, differences",
+    "unplaced": "nameless, undated, strangers, stranger_channels",
+}
+
+Stored = dict[str, list[dict[str, Any]]]
+
+
+def stored(monitor: Monitor) -> Stored:
+    """Return the rows of these tables, in order."""
+    found = {
+        name: visible(monitor, f"SELECT {columns} FROM gam_state_{name}")
+        for name, columns in TABLES.items()
+    }
+    numbers: dict[int, list[int]] = {}
+    for row in found["run"]:
+        numbers.setdefault(row["version_id"], []).append(row["run_id"])
+    for rows in found.values():
+        for row in rows:
+            for name in row.keys() & {"run_id", "planned_from"}:
+                row[name] = sum(number <= row[name] for number in numbers[row["version_id"]])
+        rows.sort(key=repr)
+    return found
+
+
+def assert_same(score: Stored, script: Stored, when: str) -> None:
+    for name, rows in score.items():
+        for number, (one, other) in enumerate(zip(rows, script[name], strict=False)):
+            assert one == other, f"{name}, row {number}, {when}"
+        assert len(rows) == len(script[name]), f"{name}, {when}"
+
+
+def executed(engine: str, folder: Path, session: Session, script: str) -> None:
+    ended = command_lines.executed(engine, folder, session, script)
+    assert ended.returncode == 0, ended.stderr.decode()
+    assert ended.stdout == b"", "cron sends what a command prints"
+
+
+# Histories
+
+Play = Callable[[Path, bool], Iterator[Stored]]
+
+
+def assert_alike(folder: Path, play: Play) -> None:
+    """Let something happen twice, and compare what is stored on the way."""
+    places = [folder / "score", folder / "script"]
+    for place in places:
+        place.mkdir()
+    both = map(play, places, (False, True))
+    for number, (score, script) in enumerate(zip(*both, strict=True)):
+        assert_same(score, script, f"after batch {number}")
+
+
+def played(engine: str, told: History, folder: Path, is_script: bool) -> Iterator[Stored]:
+    """Let a history happen, its runs by a script or not, and the last one by Python in any case."""
+    with contextlib.closing(command_lines.opened(engine, folder)) as session:
+        table = scripts.telemetry(session, told.first)
+        parameters, calibration = harness.made(told.parameters, told.calibration)
+        reach: dict[str, Any] = {"lookback": told.lookback, "park_after": told.park_after}
+        place, prefix = gam_db.Source(table.name), engines.fresh_name("runs")
+        monitor = Monitor(session, place, parameters, calibration, prefix=prefix, **reach)
+        monitor.migrate()
+        monitor.calibrate()
+        script = rendered(monitor)
+        for batch in told.batches:
+            if batch.rows:
+                scripts.arrive(session, table, batch.rows)
+            is_last = batch is told.batches[-1]
+            for kind, number in batch.runs:
+                if kind == "crash":
+                    with contextlib.suppress(CrashError):
+                        monitor.score(on_step=crashing(number))
+                elif is_script and not is_last:
+                    executed(engine, folder, session, script)
+                else:
+                    monitor.score(everything=is_last)
+            yield stored(monitor)
+        (age,) = visible(monitor, "SELECT age_seconds FROM gam_last_run")
+        assert 0 <= age["age_seconds"] < 3600
+
+
+#: Histories of an engine, in the first set and in the full one.
+HISTORIES: dict[str, tuple[list[tuple[str, int]], list[tuple[str, int]]]] = {
+    "duckdb": (
+        [("short form", 0), ("pools", 1)],
+        [(kind, seed) for kind in ("short form", "pauses", "given start") for seed in range(2, 8)]
+        + [(kind, seed) for kind in ("pools", "still samples") for seed in range(2, 8)],
+    ),
+    "sqlite": ([("still samples", 0)], [("pools", 1), ("pauses", 0), ("short form", 3)]),
+    "postgres": ([("still samples", 0)], [("pools", 1), ("pauses", 0), ("short form", 3)]),
+    "mariadb": ([("pools", 1)], [("still samples", 0), ("given start", 1)]),
+}
+
+
+def is_refused(engine: str) -> bool:
+    """Tell whether no script is printed for an engine, which must say so in one sentence."""
+    if engine in RUNS:
+        return False
+    with pytest.raises(UserError, match=r"takes Python \(gam score\)"):
+        rendered(Monitor(engines.session(engine), gam_db.Source("telemetry")))
+    return True
+
+
+@sets.amounts("is_full", False, True)
+def test_a_history_leaves_what_gam_score_leaves(engine: str, is_full: bool, tmp_path: Path) -> None:
+    if is_refused(engine):
+        return
+    for kind, seed in HISTORIES[engine][is_full]:
+        told = history(kind, seed, 30 if is_full else 5)
+        folder = tmp_path / f"{kind} {seed}"
+        folder.mkdir()
+        assert_alike(folder, lambda place, by: played(engine, told, place, by))  # noqa: B023
+
+
+# Calendar time, and what comes once a day
+
+METHOD = harness.made({"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.7})
+SECOND = 1_000_000
+DAY = 86_400 * SECOND
+BEGIN = 1_793_000_000 * SECOND
+
+
+def readings(assets: str, start: int, end: int) -> list[Row]:
+    """Channels of a sample a second that repeat a pattern, and later on less so."""
+    return [
+        (asset, "x", BEGIN + time * SECOND, float(time % (5 + n) if time % 37 < 20 else time % 11))
+        for n, asset in enumerate(assets)
+        for time in range(start, end)
+    ]
+
+
+def doubled(rows: list[Row]) -> list[Row]:
+    """Some of the rows, with another value."""
+    return [(*row[:3], 7.5) for row in rows[::9]]
+
+
+#: What comes before each run, from which second on the source keeps its rows, and whether a day passes.
+#: One channel falls silent, and sends again; rows come late and twice, belong nowhere, or are lost.
+COURSE: list[tuple[list[Row], int, bool]] = [
+    (readings("abc", 120, 200), 0, False),
+    (readings("ab", 200, 260) + doubled(readings("a", 240, 260)), 0, False),
+    (readings("ab", 260, 262) + readings("z", 255, 262) + readings("b", 150, 152), 0, False),
+    ([], 0, True),
+    (readings("ab", 262, 400), 0, False),
+    ([*readings("ab", 400, 440), ("c", "x", BEGIN + 420 * SECOND, None)], 0, False),
+    (readings("abc", 440, 470), 0, False),
+    (readings("abc", 470, 500), 465, False),
+    (readings("abc", 500, 560), 465, True),
+]
+
+
+def course(engine: str, folder: Path, is_script: bool) -> Iterator[Stored]:
+    """Let it happen."""
+    with contextlib.closing(command_lines.opened(engine, folder)) as session:
+        time: exp.Expr = session.engine.instant_of(TimeKind.TIMESTAMP, exp.column("time"))
+        if engine == "sqlite":
+            time = exp.cast(time, "TEXT")
+        table = scripts.telemetry(session, readings("abc", 0, 120), time)
+        place, prefix = gam_db.Source(table.name), engines.fresh_name("days")
+        kept: dict[str, Any] = {"prefix": prefix, "lookback": "30 s", "park_after": "60 s"}
+        monitor = Monitor(session, place, *METHOD, **kept)
+        monitor.migrate()
+        monitor.calibrate()
+        script = rendered(monitor)
+        for rows, first, is_later in COURSE:
+            if rows:
+                scripts.arrive(session, table, rows, time)
+            if first:
+                edge = session.engine.instant_of(
+                    TimeKind.TIMESTAMP, exp.Literal.number(BEGIN + first * SECOND)
+                )
+                old = exp.Where(this=exp.column("time", quoted=True) < edge)
+                session.execute(exp.Delete(this=table.copy(), where=old))
+            if is_later:  # all that was done lies two days back
+                for name, columns in _TIMES.items():
+                    back: dict[str, object] = {one: exp.column(one) - 2 * DAY for one in columns}
+                    session.execute(exp.update(monitor.tables.table(name), back))
+            if is_script:
+                executed(engine, folder, session, script)
+            else:
+                monitor.score()
+            yield stored(monitor)
+
+
+_TIMES = {"run": ("started", "committed"), "proof": ("proved_at",), "monitor": ("created",)}
+
+
+def test_what_is_silent_late_lost_or_due_is_as_gam_score_has_it(engine: str, tmp_path: Path) -> None:
+    if not is_refused(engine):
+        assert_alike(tmp_path, lambda folder, is_script: course(engine, folder, is_script))
+
+
+# Judgements and episodes
+
+
+class Scripted(test_stored_alarms.Course):
+    """Alarms that grow, mostly by a script."""
+
+    def do(self, what: str) -> None:
+        if what == "score":
+            script = rendered(self.monitor())
+            executed(self.session.engine.name, Path(), self.session, script)
+        else:
+            super().do(what)
+
+
+@pytest.mark.parametrize("seed", [4, *(pytest.param(n, marks=pytest.mark.full) for n in range(2, 30))])
+def test_the_next_gam_score_gives_episodes_their_numbers(seed: int) -> None:
+    plant = Scripted("duckdb", seed)
+    plant.play()
+    plant.assert_as_at_once()
+
+
+# Who is faster, and what must not count
+
+
+def plant(engine: str, folder: Path) -> tuple[Session, Monitor, str]:
+    """Return a monitor that has scored, with new rows in its source, and the script of its next run."""
+    session = command_lines.opened(engine, folder)
+    rows = [
+        (asset, "x", time, float(time % (5 + n))) for n, asset in enumerate("ab") for time in range(90)
+    ]
+    table = scripts.telemetry(session, rows)
+    place, prefix = gam_db.Source(table.name), engines.fresh_name("plant")
+    monitor = Monitor(session, place, *METHOD, prefix=prefix)
+    monitor.migrate()
+    monitor.calibrate()
+    monitor.score()
+    scripts.arrive(session, table, [("a", "x", time, float(time % 11)) for time in range(90, 140)])
+    return session, monitor, rendered(monitor)
+
+
+def refused(engine: str, folder: Path, session: Session, script: str) -> str:
+    """Execute a script by the command line as it is documented, and return how it ended."""
+    path = folder / "run.sql"
+    path.write_text(script, encoding="utf-8")
+    if engine == "duckdb":  # which one process opens at a time
+        session.close()
+    with path.open("rb") as read:
+        words = command_lines.words(engine, folder, path)
+        ended = subprocess.run(words, stdin=read, capture_output=True)
+    assert ended.returncode != 0
+    return ended.stderr.decode()
+
+
+def test_a_faster_run_ends_the_script_and_nothing_of_it_counts(engine: str, tmp_path: Path) -> None:
+    if is_refused(engine):
+        return
+    session, monitor, script = plant(engine, tmp_path)
+    tables = monitor.tables
+    columns = [name for name in session.relations()[tables.folded("run")] if name != "run_id"]
+    newest = exp.select(exp.Max(this=exp.column("run_id")).as_("newest")).from_(tables.table("run"))
+    rows = exp.select((exp.column("run_id") + 1).as_("run_id"), *columns).from_(tables.table("run"))
+    rows = rows.where(exp.column("run_id").eq(newest.subquery()))
+    names = [exp.to_identifier(name) for name in ("run_id", *columns)]
+    faster = exp.Insert(this=exp.Schema(this=tables.table("run"), expressions=names), expression=rows)
+    before = stored(monitor)
+    begin = "-- Publish"
+    assert script.count(begin) == 1
+    raced = script.replace(begin, f"{session.engine.text(faster)};\n{begin}")
+    said = refused(engine, tmp_path, session, raced)
+    assert "Another process scored, calibrated or pruned" in said
+    if engine == "duckdb":
+        session = command_lines.opened(engine, tmp_path)
+        monitor = Monitor(session, monitor.source, *METHOD, prefix=tables.prefix)
+    after = stored(monitor)
+    assert len(after["run"]) == len(before["run"]) + 2, "those of the faster one are there"
+    for name in TABLES.keys() - {"run"}:
+        assert after[name] == before[name], name
+    executed(engine, tmp_path, session, script)
+    assert len(stored(monitor)["bucket"]) > len(before["bucket"])
+    session.close()
+
+
+def test_other_settings_and_damage_end_the_script(engine: str, tmp_path: Path) -> None:
+    if is_refused(engine):
+        return
+    session, monitor, script = plant(engine, tmp_path)
+    other = gam_db.Parameters(m=3, tau=3, bins=4, window=20, stride=5)
+    given = session, monitor.source, other, METHOD[1]
+    Monitor(*given, prefix=monitor.tables.prefix).calibrate()
+    before = stored(monitor)
+    ended = command_lines.executed(engine, tmp_path, session, script)
+    assert ended.returncode != 0
+    assert b"settings that this script was not made for" in ended.stderr
+    script = rendered(monitor)
+    support = monitor.tables.table("support")
+    session.execute(exp.update(support, {"visits": exp.column("visits") + 1}))
+    ended = command_lines.executed(engine, tmp_path, session, script)
+    assert ended.returncode != 0
+    assert b"was changed or damaged" in ended.stderr
+    assert stored(monitor) == before
+    session.close()
+
+
+# What is printed, and the page
+
+
+def test_the_command_prints_it_and_the_line_of_cron_runs_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    session, monitor, script = plant("sqlite", tmp_path)
+    asked = ["compile", "--form", "monitor", "--database", "sqlite:///plant.db"]
+    prefix = ["--prefix", monitor.tables.prefix]
+    ended = CliRunner().invoke(app, [*asked, *prefix, "--out", "run.sql"])
+    assert ended.exit_code == 0, ended.output
+    assert (tmp_path / "run.sql").read_text(encoding="utf-8") == script
+    page = Path(__file__).parents[2] / "docs" / "schedule.md"
+    lines = re.findall(r"^\*/15 \* \* \* \* (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    (line,) = (one for one in lines if one.startswith("sqlite3 "))
+    line = line.replace("/srv/plant/", f"{tmp_path}/")
+    before = len(stored(monitor)["bucket"])
+    done = subprocess.run(["sh", "-c", line], capture_output=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
+    assert len(stored(monitor)["bucket"]) > before
+    for more, said in (
+        (["telemetry"], "leave SOURCE out"),
+        (["--engine", "postgres"], "leave out --engine postgres"),
+    ):
+        ended = CliRunner().invoke(app, [*asked, *prefix, *more])
+        assert ended.exit_code == 1
+        assert said in ended.output
+    session.close()
+
+
+def test_what_cannot_be_printed_is_said(tmp_path: Path) -> None:
+    path = tmp_path / "telemetry.csv"
+    path.write_text("asset,channel,time,value\n" + "".join(f"a,x,{n},{n % 5}\n" for n in range(60)))
+    with contextlib.closing(command_lines.opened("duckdb", tmp_path)) as session:
+        monitor = Monitor(session, gam_db.Source(path), *METHOD)
+        monitor.migrate()
+        with pytest.raises(UserError, match="There is no monitor"):
+            rendered(monitor)
+        monitor.calibrate()
+        with pytest.raises(UserError, match="no table or view of its database"):
+            rendered(monitor)
