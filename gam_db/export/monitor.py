@@ -37,8 +37,8 @@ from gam_db.stored.scoring.publishing import planned_runs
 from gam_db.stored.sources import repeat_of
 from gam_db.stored.state import kind_of, locking
 
-#: The instants that every calendar time can tell lie between these.
-EARLIEST, LATEST = -62_135_000_000 * SECOND, 253_402_000_000 * SECOND
+#: What every calendar time can tell lies between these; and what one in nanoseconds can.
+_CALENDAR, _NANOSECONDS = (-62_135_000_000 * SECOND, 253_402_000_000 * SECOND), 9_000_000_000 * SECOND
 
 DAMAGED = (
     "What calibration froze was changed or damaged since; nothing is scored by it. Put the tables back "
@@ -150,6 +150,11 @@ class _Made:
         self.lookback = lengths.lookback(monitor.lookback, self.kind, repeat_of(row["source"]))
         self.silent = lengths.park_after(monitor.park_after, self.kind)
         self.tolerance = tolerance(source, self.kind)
+        self.earliest, self.latest = _CALENDAR
+        if self.kind.is_counter:
+            self.earliest, self.latest = LONG_AGO, FAR_AHEAD
+        elif self.kind.furthest < FAR_AHEAD:
+            self.earliest, self.latest = -_NANOSECONDS, _NANOSECONDS
         if not isinstance(source.relation, (str, tuple, list)) or is_file(source.relation):
             raise ParameterError(
                 "The source of this monitor is no table or view of its database, which a script could "
@@ -271,8 +276,7 @@ class _Made:
         """Read the rows that may matter, each once, and tell what has left the source."""
         script, steps = self.script, self.steps
         if self.silent is not None:
-            add(steps, "stored/monitor/look_from", {"earliest": EARLIEST})
-            rows = self._rows(self._edge("stored/monitor/look_from", {"earliest": EARLIEST}))
+            rows = self._rows(self._edge("stored/monitor/look_from"))
             steps.add("looked_at", rows, "Readings: where parked channels may have sent again.")
             add(steps, "stored/monitor/resumed", tables={"readings": "looked_at"})
             script.step(steps, "resumed")
@@ -281,8 +285,7 @@ class _Made:
         add(steps, "stored/monitor/wanted")
         script.step(steps, "wanted")
         for number, among in _AMONG.items():
-            slots: dict[str, template.Slot] = {"earliest": EARLIEST, "among": among}
-            rows = self._rows(self._edge("stored/monitor/read_from", slots))
+            rows = self._rows(self._edge("stored/monitor/read_from", {"among": among}))
             comment = template.load("source/readings").comment
             steps.add(f"readings_{number}", rows, comment)
             add(steps, "stored/monitor/part_channels", {"among": among}, f"channels_{number}")
@@ -292,10 +295,9 @@ class _Made:
             add(steps, "source/identified", identified, f"identified_{number}", tables)
         steps.add("readings", union_of(steps, ["identified_1", "identified_2"]), _READINGS)
         script.step(steps, "readings")
-        slots = {"earliest": EARLIEST}
         add(steps, "stored/monitor/late")
         script.step(steps, "late")
-        rows = self._rows(self._edge("stored/monitor/late_from", slots), is_after=False)
+        rows = self._rows(self._edge("stored/monitor/late_from"), is_after=False)
         steps.add("rows_before", rows, "Readings: before those that were read.")
         add(steps, "stored/monitor/older", tables={"readings": "rows_before"})
         add(steps, "stored/monitor/oldest_rows")
@@ -304,8 +306,8 @@ class _Made:
         add(steps, "stored/state/newest", name="newest_staying", tables={"active": "staying"})
         add(steps, "stored/scoring/whole", tables={"newest": "newest_staying"})
         script.step(steps, "whole")
-        slots, tables = {"long_ago": LONG_AGO}, {"restart": "whole"}
-        add(steps, "stored/scoring/plan", slots, "whole_plan", tables)
+        asked, tables = {"long_ago": LONG_AGO}, {"restart": "whole"}
+        add(steps, "stored/scoring/plan", asked, "whole_plan", tables)
         add(steps, "stored/monitor/begun", {"long_ago": LONG_AGO})
         script.step(steps, "begun")
         add(steps, "stored/monitor/counted", {"day": DAY})
@@ -315,7 +317,7 @@ class _Made:
     def _count_unplaced(self) -> None:
         """Count the rows that belong to no channel or tell no time."""
         script, steps, read = self.script, Pipeline(), self.read
-        rows = self._rows(self._edge("stored/monitor/names_from", {"earliest": EARLIEST}))
+        rows = self._rows(self._edge("stored/monitor/names_from"))
         steps.add("readings_of_names", rows, template.load("source/readings").comment)
         add(steps, "source/names", tables={"readings": "readings_of_names"})
         missing = counting_undated(self.engine, read.rows, read.relation, self.kind, among_all=False)
@@ -330,10 +332,10 @@ class _Made:
         script.step(steps, "recounted")
         tables = {"cohort": "recounted"}
         add(steps, "stored/scoring/calibration", tables=tables)
-        script.step(steps, "calibration", "calibration")
+        script.step(steps, "calibration", "recounted_calibration")
         rows = self._rows(
-            self._edge("stored/monitor/calibration_from", {"earliest": EARLIEST}),
-            until=self._edge("stored/monitor/calibration_to", {"latest": LATEST}),
+            self._edge("stored/monitor/calibration_from"),
+            until=self._edge("stored/monitor/calibration_to"),
         )
         steps.add("calibration_readings", rows, template.load("source/readings").comment)
         identified = identified_slots(exp.true(), self.read.programs is not None)
@@ -376,6 +378,9 @@ class _Made:
         script = self.script
         shape = Shape(setting, self.kind, None, compared=True, recounted=True)
         plan, of_run = counting(shape), dict(script.placed)
+        # Of the steps of the run alone: others of the same name are the list's.
+        shared = {name: table for name, table in of_run.items() if name in _SHARED}
+        script.placed = dict(self.monitor.tables.placed()) | shared
         queries = {"past_missing": filled("stored/scoring/past_missing")}
         for table, step in former(setting.has_programs).items():
             slots = former_slots(table, exp.true(), exp.true(), setting.has_programs)
@@ -505,14 +510,18 @@ class _Made:
             conditions += self.engine.beside(self.kind, column, end, after)
         latest = None
         if self.tolerance is not None:
-            latest = self._edge("stored/monitor/latest", {})
+            latest = exp.Subquery(this=filled("stored/monitor/latest"))
         source = under(source, *conditions)
         return self.engine.readings(source, self.read.relation, self.kind, until=latest)
 
-    def _edge(self, path: str, slots: Mapping[str, template.Slot]) -> exp.Expr:
-        """Return an instant that a file gives, as an expression."""
-        return exp.Subquery(this=filled(path, slots))
+    def _edge(self, path: str, slots: Mapping[str, template.Slot] | None = None) -> exp.Expr:
+        """Return an instant that a file gives, of those that the source can tell, as an expression."""
+        ends = {"earliest": self.earliest, "latest": self.latest}
+        return exp.Subquery(this=filled(path, {**ends, **(slots or {})}))
 
+
+#: What the lists of a run read of the steps before them.
+_SHARED = ("cohort", "counted", "samples", "timeline", "recount")
 
 _LENGTHS = ("tau", "window_length", "stride")
 
