@@ -8,6 +8,7 @@ channels are read, from where on, what is due, the number of the run) is decided
 This module owns what such a script holds, and in which order.
 """
 
+import textwrap
 from collections.abc import Mapping, Sequence
 
 from sqlglot import exp
@@ -116,6 +117,11 @@ class Script:
         return exp.Table(this=template.name(f"gam_run_{name}"), db=schema and template.name(schema))
 
     def _make(self, table: exp.Table, query: exp.Query, comment: str) -> None:
+        for step in query.find_all(exp.CTE):
+            said = " ".join(" ".join(step.this.comments or []).split())
+            step.this.comments = (
+                [f" {textwrap.fill(said, _WIDTH, subsequent_indent=' ' * 5)} "] if said else None
+            )
         storage = self.engine.storage.temporary
         self.say(temporary(table, _tidied(query), *storage), comment)
 
@@ -186,9 +192,8 @@ class _Made:
             script.say(statement)
         self._publish()
         lines = [line for line in begin if line]
-        return "".join(f"{line}\n" for line in [_commented("\n".join(self.head)).rstrip(), *lines]) + (
-            "\n" + script.text()
-        )
+        head = "".join(map(_commented, self.head)) + "".join(f"{line}\n" for line in lines)
+        return f"{head}\n{script.text()}"
 
     def _listed(self, versions: Sequence[Row]) -> list[tuple[Setting, list[Row]]]:
         """Return what channels share that one part of the script is for, each with its channels."""
@@ -523,6 +528,9 @@ class _Made:
 #: What the lists of a run read of the steps before them.
 _SHARED = ("cohort", "counted", "samples", "timeline", "recount")
 
+#: Signs in a line of a comment.
+_WIDTH = 94
+
 _LENGTHS = ("tau", "window_length", "stride")
 
 _READINGS = "Readings of the channels that are read, each row of the source once."
@@ -558,4 +566,5 @@ def _holds(condition: exp.Expr) -> bool:
 
 
 def _commented(text: str) -> str:
-    return "".join(f"-- {line}".rstrip() + "\n" for line in text.splitlines())
+    lines = textwrap.wrap(" ".join(text.split()), _WIDTH)
+    return "".join(f"-- {line}\n" for line in lines)

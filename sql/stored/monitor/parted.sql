@@ -14,7 +14,7 @@ SELECT
     WHEN aged.is_known = 0 THEN 3
     WHEN aged.read_from < aged.since
       THEN CASE WHEN aged.looked_at <= aged.started AND aged.started - aged.looked_at < :day THEN 0 ELSE 2 END
-    WHEN aged.newest - aged.read_from <= 2 * (aged.newest - aged.latest_from) + :lookback THEN 1
+    WHEN aged.latest_from - aged.read_from - :lookback <= aged.newest - aged.latest_from THEN 1
     ELSE 2
   END AS part_no,
   CASE
