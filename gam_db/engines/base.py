@@ -145,6 +145,7 @@ class Engine:
     #: What a session is set to while a script computes, and what is undone of it before it publishes.
     working: Sequence[exp.Expr] = field(default=(), hash=False)
     resting: Sequence[exp.Expr] = field(default=(), hash=False)
+    analyzes: bool = False  # whether its planner has to be told what is in a table that was made
     #: The day of an instant (``:micros``) as text, where a time is a text and its days are compared.
     day: str = ""
     #: How numbers and times are read from text; None where that is left to views.

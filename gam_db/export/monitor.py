@@ -76,6 +76,8 @@ class Script:
         table = self._temporary(called or name)
         self.placed[name] = table
         self._make(table, query, comment)
+        if self.engine.analyzes:
+            self.say(exp.Analyze(tables=[table.copy()]))
 
     def step(self, steps: Pipeline, name: str, called: str = "") -> None:
         """Make a temporary table of the rows of a step."""
