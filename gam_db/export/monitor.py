@@ -305,6 +305,15 @@ class _Made:
         add(steps, "stored/monitor/unplaced_rows", about)
         said = "What it could place nowhere, and that it ran."
         script.append(steps, "unplaced_rows", "unplaced", said)
+        for name in ("unknown_rows", "ahead_rows"):
+            if name in script.placed:
+                add(steps, f"stored/monitor/{name}", about)
+                script.append(steps, name, "left_out")
+        before = {"monitor": template.text(self.monitor.name)}
+        expired = state.query("stored/pruning/expired_left_out", before)
+        comment = "What an earlier run left out is told by it no more."
+        left_out = state.tables.table("left_out")
+        script.say(deletion(left_out, expired.named_selects, expired), comment)
 
 
 #: What the lists of a run read of the steps before them.

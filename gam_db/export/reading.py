@@ -155,15 +155,26 @@ class Reading:
         self._count_unplaced()
 
     def _count_unplaced(self) -> None:
-        """Count the rows that belong to no channel or tell no time."""
+        """Count the rows that belong to no channel, tell no time, or are later than now."""
         script, steps, read = self.script, Pipeline(), self.read
         rows = self._rows(self._edge("stored/monitor/names_from"))
         steps.add("readings_of_names", rows, template.load("source/readings").comment)
         add(steps, "source/names", tables={"readings": "readings_of_names"})
+        script.step(steps, "names")
         missing = counting_undated(self.engine, read.rows, read.relation, self.kind, among_all=False)
         steps.add("undated", missing, template.load("source/undated").comment)
-        add(steps, "stored/monitor/unplaced_rows", {"monitor_id": self.monitor_id})
+        about = {"monitor_id": self.monitor_id}
+        add(steps, "stored/monitor/unplaced_rows", about)
         script.step(steps, "unplaced_rows")
+        add(steps, "stored/monitor/unknown_rows", about)
+        script.step(steps, "unknown_rows")
+        if self.tolerance is not None:
+            latest = exp.Subquery(this=filled("stored/monitor/latest"))
+            steps.add("rows_ahead", self._rows(latest, is_counted=False), "Readings: later than now.")
+            add(steps, "source/ahead", {"latest": latest}, tables={"readings": "rows_ahead"})
+            add(steps, "stored/monitor/ahead_rows", about)
+            script.step(steps, "ahead_rows")
+        del script.placed["names"]
 
     def count_calibration(self) -> None:
         """Count the rows of calibration where that is due."""
@@ -184,8 +195,17 @@ class Reading:
         add(steps, "stored/scoring/recount")
         script.step(steps, "recount")
 
-    def _rows(self, time: exp.Expr, is_after: bool = True, until: exp.Expr | None = None) -> exp.Query:
-        """Return the step *readings*, of rows that are not before, or are before, an instant."""
+    def _rows(
+        self,
+        time: exp.Expr,
+        is_after: bool = True,
+        until: exp.Expr | None = None,
+        is_counted: bool = True,
+    ) -> exp.Query:
+        """Return the step *readings*, of rows that are not before, or are before, an instant.
+
+        Where they are counted, those that are later than now are left out.
+        """
         source = self.read.rows
         column = template.column(source.time)
         ends = [(time, is_after), *([] if until is None else [(until, False)])]
@@ -195,7 +215,7 @@ class Reading:
                 end = exp.paren(end - DAY if after else end + DAY)
             conditions += self.engine.beside(self.kind, column, end, after)
         latest = None
-        if self.tolerance is not None:
+        if self.tolerance is not None and is_counted:
             latest = exp.Subquery(this=filled("stored/monitor/latest"))
         source = under(source, *conditions)
         return self.engine.readings(source, self.read.relation, self.kind, until=latest)
