@@ -874,13 +874,16 @@ CREATE OR REPLACE VIEW stored_last_run AS
 SELECT
   watching.name AS monitor,
   MAKE_TIMESTAMP(begun.started) AS started_at,
-  CAST(
-    FLOOR(
-      (CAST(EPOCH_US(CURRENT_TIMESTAMP) - begun.started AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(1000000 AS DOUBLE)
-    ) AS BIGINT
-  ) AS age_seconds
+  CASE
+    WHEN begun.age > 0
+      THEN CAST(FLOOR((CAST(begun.age AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(1000000 AS DOUBLE)) AS BIGINT)
+    ELSE 0
+  END AS age_seconds
 FROM (
-  SELECT monitor_id, MAX(ran.started) AS started
+  SELECT
+    monitor_id,
+    MAX(ran.started) AS started,
+    CAST(EPOCH_US(CURRENT_TIMESTAMP) AS BIGINT) - MAX(ran.started) AS age
   FROM (
     SELECT monitor_id, started
     FROM stored_unplaced

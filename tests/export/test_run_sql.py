@@ -128,7 +128,7 @@ def played(engine: str, told: History, folder: Path, is_script: bool) -> Iterato
 #: Histories of an engine, in the first set and in the full one.
 HISTORIES: dict[str, tuple[list[tuple[str, int]], list[tuple[str, int]]]] = {
     "duckdb": (
-        [("short form", 0), ("given start", 2)],
+        [("given start", 2)],
         [(kind, seed) for kind in ("short form", "pauses", "given start") for seed in range(2, 8)]
         + [(kind, seed) for kind in ("pools", "still samples") for seed in range(1, 8)],
     ),

@@ -13,7 +13,6 @@ FIRST: dict[str, tuple[str, ...]] = {
         "engines/",
         "export/test_run_sql.py::test_a_history_leaves_what_gam_score_leaves",
         "export/test_run_sql.py::test_a_faster_run",
-        "export/test_run_sql.py::test_what_is_silent",
         "method/test_agreement.py",
         "method/test_probe.py::test_golden_figures",
         "method/test_programs.py::test_cells_of_programs_by_hand",
