@@ -121,7 +121,8 @@ class Reading:
             add(steps, "stored/monitor/resumed", tables={"readings": "looked_at"})
             script.step(steps, "resumed")
         else:
-            steps.add("resumed", filled("stored/monitor/none_resumed"))
+            nobody = exp.select("version_id").from_("parted").where(exp.column("part_no") < 0)
+            steps.add("resumed", nobody, "Resumed: no channel is parked.")
         add(steps, "stored/monitor/wanted")
         script.step(steps, "wanted")
         for number, among in _AMONG.items():

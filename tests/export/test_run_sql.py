@@ -157,6 +157,14 @@ def test_a_history_leaves_what_gam_score_leaves(engine: str, is_full: bool, tmp_
 # Calendar time, and what comes once a day
 
 METHOD = harness.made({"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5}, {"fraction": 0.7})
+#: Channels of two lists, in one of which windows have as many buckets as they like.
+MIXED = harness.made(
+    {
+        **{"m": 2, "tau": 3, "bins": 4, "window": 20, "stride": 5, "least_vectors": 20},
+        "overrides": [{"asset": "b", "m": 1}, {"asset": "c", "window": 10}],
+    },
+    {"fraction": 0.7},
+)
 SECOND = 1_000_000
 DAY = 86_400 * SECOND
 BEGIN = 1_793_000_000 * SECOND
@@ -179,18 +187,20 @@ def doubled(rows: list[Row]) -> list[Row]:
 #: A second that lies ahead of every clock.
 AHEAD = 10**9
 
-#: What comes before each run, from which second on the source keeps its rows, and whether a day passes.
-#: One channel falls silent, and sends again; rows come late and twice, belong nowhere, or are lost.
-COURSE: list[tuple[list[Row], int, bool]] = [
-    (readings("abc", 120, 200), 0, False),
-    (readings("ab", 200, 260) + doubled(readings("a", 240, 260)), 0, False),
-    (readings("ab", 260, 262) + readings("z", 255, 262) + readings("b", 150, 152), 0, False),
-    ([], 0, True),
-    (readings("ab", 262, 400) + readings("a", AHEAD, AHEAD + 3), 0, False),
-    ([*readings("ab", 400, 440), ("c", "x", BEGIN + 420 * SECOND, None)], 0, False),
-    (readings("abc", 440, 470), 0, False),
-    (readings("abc", 470, 500), 465, False),
-    (readings("abc", 500, 560), 465, True),
+NOTHING = range(0)
+
+#: What comes before each run, which seconds the source loses, and whether a day passes. One channel
+#: falls silent, and sends again; rows come late and twice, belong nowhere, or are lost.
+COURSE: list[tuple[list[Row], range, bool]] = [
+    (readings("abc", 120, 200), NOTHING, False),
+    (readings("ab", 200, 260) + doubled(readings("a", 240, 260)), NOTHING, False),
+    (readings("ab", 260, 262) + readings("z", 255, 262) + readings("b", 150, 152), NOTHING, False),
+    ([], NOTHING, True),
+    (readings("ab", 262, 400) + readings("a", AHEAD, AHEAD + 3), NOTHING, False),
+    ([*readings("ab", 400, 440), ("c", "x", BEGIN + 420 * SECOND, None)], NOTHING, False),
+    (readings("abc", 440, 470), range(380, 420), False),
+    (readings("abc", 470, 500), range(-120, 465), False),
+    (readings("abc", 500, 560), NOTHING, True),
 ]
 
 
@@ -200,22 +210,27 @@ def course(engine: str, folder: Path, is_script: bool) -> Iterator[Stored]:
         time: exp.Expr = session.engine.instant_of(TimeKind.TIMESTAMP, exp.column("time"))
         if engine == "sqlite":
             time = exp.cast(time, "TEXT")
-        table = scripts.telemetry(session, readings("abc", 0, 120), time)
+        table = scripts.telemetry(session, readings("abc", -120, 120), time)
         place, prefix = gam_db.Source(table.name), engines.fresh_name("days")
         kept: dict[str, Any] = {"prefix": prefix, "lookback": "30 s", "park_after": "60 s"}
-        monitor = Monitor(session, place, *METHOD, **kept)
+        asked = gam_db.Alarms("100 per 1000 judgements")
+        monitor = Monitor(session, place, *MIXED, asked, **kept)
         monitor.migrate()
         monitor.calibrate()
         script = rendered(monitor)
-        for rows, first, is_later in COURSE:
+        for rows, lost, is_later in COURSE:
             if rows:
                 scripts.arrive(session, table, rows, time)
-            if first:
-                edge = session.engine.instant_of(
-                    TimeKind.TIMESTAMP, exp.Literal.number(BEGIN + first * SECOND)
-                )
-                old = exp.Where(this=exp.column("time", quoted=True) < edge)
-                session.execute(exp.Delete(this=table.copy(), where=old))
+            if lost:
+                ends = [
+                    session.engine.instant_of(
+                        TimeKind.TIMESTAMP, exp.Literal.number(BEGIN + second * SECOND)
+                    )
+                    for second in (lost.start, lost.stop)
+                ]
+                time_of = exp.column("time", quoted=True)
+                gone = exp.Where(this=exp.and_(time_of >= ends[0], time_of.copy() < ends[1]))
+                session.execute(exp.Delete(this=table.copy(), where=gone))
             if is_later:  # all that was done lies two days back
                 for name, columns in _TIMES.items():
                     back: dict[str, object] = {one: exp.column(one) - 2 * DAY for one in columns}
