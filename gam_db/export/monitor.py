@@ -31,6 +31,7 @@ from gam_db.stored.checking.proving import matching_steps
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.published import former, former_slots
+from gam_db.stored.planning.reading import Reader
 from gam_db.stored.planning.setting import Setting, shape_of, shared_by
 from gam_db.stored.scoring.lists import CHANGED, Shape, counting, hidden_tables, publishing
 from gam_db.stored.scoring.publishing import planned_runs
@@ -56,13 +57,13 @@ def rendered(monitor: Monitor) -> str:
             "what it wrote where another run was faster."
         )
     row = state.monitor(monitor.name)
-    made = _Made(monitor, row)
-    if not made.lists:
+    run = _RunScript(monitor, row)
+    if not run.lists:
         raise StateError(f"No channel of the monitor {monitor.name!r} is calibrated (gam calibrate).")
-    return made.text()
+    return run.text()
 
 
-class _Made:
+class _RunScript:
     """The script of a monitor, by its row."""
 
     def __init__(self, monitor: Monitor, row: Row) -> None:
@@ -76,10 +77,14 @@ class _Made:
                 "The source of this monitor is no table or view of its database, which a script could "
                 "read; a run of it takes Python (gam score)."
             )
+        reader = Reader(session, source, self.kind, monitor.name)  # which refuses another kind of time
         self.read = prepared(session, source)
         active = monitor.state.rows("stored/state/active", {"monitor_id": self.monitor_id})
-        self.lists = self._listed([version for version in active if version["lo"] is not None])
+        ranged = [version for version in active if version["lo"] is not None]
+        self.lists = self._listed(reader.with_programs(ranged))
         self.script = Script(self.engine, monitor.tables.placed())
+        #: Of each list its shape and channels, what its tables are called by, and its tables.
+        self.scored: list[tuple[Shape, Sequence[Row], str, dict[str, exp.Table]]] = []
         silent = lengths.park_after(monitor.park_after, self.kind)
         allowed = tolerance(source, self.kind)
         about = self.read, self.kind, self.monitor_id, self.lookback, silent, allowed
@@ -95,7 +100,7 @@ class _Made:
         begin = [*self.engine.client, self.engine.beginning().rstrip()]
         script = self.script
         for statement in self.engine.working:
-            script.say(statement)
+            script.add(statement)
         self.reading.plan(exp.or_(*(self._is_of(setting) for setting, _ in self.lists)))
         self.reading.read_source()
         self.reading.count_calibration()
@@ -103,7 +108,7 @@ class _Made:
         for number, (setting, versions) in enumerate(self.lists, start=1):
             self._count(setting, versions, f"_{number}" if len(self.lists) > 1 else "")
         for statement in self.engine.resting:
-            script.say(statement)
+            script.add(statement)
         self._publish()
         lines = [line for line in begin if line]
         head = "".join(map(commented, self.head)) + "".join(f"{line}\n" for line in lines)
@@ -111,19 +116,17 @@ class _Made:
 
     def _listed(self, versions: Sequence[Row]) -> list[tuple[Setting, list[Row]]]:
         """Return what channels share that one part of the script is for, each with its channels."""
-        read = [
-            {**one, "programs": None if one["program_column"] is None else self.read.programs}
-            for one in versions
-        ]
         groups: dict[str, list[Row]] = {}
-        for one in read:
-            by_column = self.engine.delays_by_column and one["programs"] is None
-            groups.setdefault(repr(shape_of(one, by_column)), []).append(one)
-        made = []
+        for version in versions:
+            by_column = self.engine.delays_by_column and version["programs"] is None
+            groups.setdefault(repr(shape_of(version, by_column)), []).append(version)
+        lists = []
         for _, group in sorted(groups.items()):
-            lengths_of = {(one["tau"], one["window_length"], one["stride"]) for one in group}
-            made.append((shared_by(group, len(lengths_of) > 1), group))
-        return made
+            lengths_of = {
+                (version["tau"], version["window_length"], version["stride"]) for version in group
+            }
+            lists.append((shared_by(group, len(lengths_of) > 1), group))
+        return lists
 
     def _is_of(self, setting: Setting) -> exp.Expr:
         """Return the condition on frozen that a part of the script is for a version."""
@@ -164,10 +167,10 @@ class _Made:
             "chosen": exp.true(),
         }
         add(steps, "stored/scoring/cohort", slots, tables={"names": "latest_rows"})
-        placed = dict(script.placed)
-        script.placed["plan"] = script.placed["counted"]
+        plan = script.tables["plan"]
+        script.tables["plan"] = script.tables["counted"]
         script.step(steps, "cohort")
-        script.placed["plan"] = placed["plan"]
+        script.tables["plan"] = plan
         gathering = gathered("reading", self.read.programs)
         add(steps, "stored/monitor/samples", {"gathered": gathering})
         script.step(steps, "samples")
@@ -178,17 +181,17 @@ class _Made:
         script.step(steps, "proof_due")
         add(steps, "stored/monitor/verified")
         script.step(steps, "verified")
-        script.placed["wanted"] = script.placed["verified"]
-        script.verify(matching_steps().query("mismatched", script.placed, commented=True), DAMAGED)
+        script.tables["wanted"] = script.tables["verified"]
+        script.verify(matching_steps().query("mismatched", script.tables, commented=True), DAMAGED)
 
     def _count(self, setting: Setting, versions: Sequence[Row], suffix: str) -> None:
         """Count the buckets of the channels of one shape, and what is to be written of them."""
         script = self.script
         shape = Shape(setting, self.kind, None, compared=True, recounted=True)
-        plan, of_run = counting(shape), dict(script.placed)
+        plan, of_run = counting(shape), dict(script.tables)
         # Of the steps of the run alone: others of the same name are the list's.
         shared = {name: table for name, table in of_run.items() if name in _SHARED}
-        script.placed = dict(self.monitor.tables.placed()) | shared
+        script.tables = dict(self.monitor.tables.placed()) | shared
         queries = {"past_missing": filled("stored/scoring/past_missing")}
         for table, step in former(setting.has_programs).items():
             slots = former_slots(table, exp.true(), exp.true(), setting.has_programs)
@@ -197,26 +200,25 @@ class _Made:
             members = Pipeline()
             add(members, "stored/monitor/members", {"listed": self._is_of(setting)})
             script.step(members, "members", f"cohort{suffix}")
-            script.placed["cohort"] = script.placed.pop("members")
+            script.tables["cohort"] = script.tables.pop("members")
         else:
-            script.placed["cohort"] = of_run["cohort"]
-        script.placed["identified"] = of_run["samples"]
+            script.tables["cohort"] = of_run["cohort"]
+        script.tables["identified"] = of_run["samples"]
         self._execute(plan, queries, suffix)
-        self.scored = getattr(self, "scored", [])
-        self.scored.append((shape, versions, suffix, dict(script.placed)))
-        script.placed = of_run
+        self.scored.append((shape, versions, suffix, dict(script.tables)))
+        script.tables = of_run
 
     def _execute(self, plan: Plan, queries: Mapping[str, exp.Query], suffix: str) -> None:
         """Add the statements of a plan, but tables that are there already, and what repeats."""
         script = self.script
         for name, kind, into, failure, _ in plan.statements:
-            is_there = kind is Kind.TABLE and name in script.placed
+            is_there = kind is Kind.TABLE and name in script.tables
             if kind is Kind.ANSWER or is_there or name == "repeated_instants":
                 continue
             if name in queries:
                 query, comment = queries[name].copy(), template.load(f"stored/scoring/{name}").comment
             else:
-                query = plan.steps.query(name, script.placed, commented=True)
+                query = plan.steps.query(name, script.tables, commented=True)
                 comment = plan.steps.steps[name].made.comment
             if kind is Kind.TABLE:
                 script.keep(name, query, comment, f"{name}{suffix}")
@@ -229,29 +231,29 @@ class _Made:
     def _publish(self) -> None:
         """Append what was counted, as one transaction, unless somebody else wrote meanwhile."""
         script, tables = self.script, self.monitor.tables
-        script.say(_command(self.engine.begins), "Publish, unless somebody else did so since.")
+        script.add(_command(self.engine.begins), "Publish, unless somebody else did so since.")
         for statement in locking(tables, self.monitor_id):
-            script.say(statement)
+            script.add(statement)
         near = planned_runs()
-        script.verify(near.query("unplanned", script.placed, commented=True), CHANGED.rstrip("."))
+        script.verify(near.query("unplanned", script.tables, commented=True), CHANGED.rstrip("."))
         steps = Pipeline()
         slots = {"now": self.engine.clock(), "monitor_id": self.monitor_id}
         add(steps, "stored/monitor/stamp", slots)
-        stamp = steps.query("stamp", script.placed, commented=True)
+        stamp = steps.query("stamp", script.tables, commented=True)
         assert isinstance(stamp, exp.Select)
         for table in script.verified:
             stamp.join(table.copy(), join_type="cross", copy=False)
         script.keep("stamp", stamp, steps.steps["stamp"].made.comment)
-        for shape, versions, suffix, placed in self.scored:
-            of_run = script.placed
-            script.placed = placed | {"stamp": of_run["stamp"]}
+        for shape, versions, suffix, tables_of_list in self.scored:
+            of_run = script.tables
+            script.tables = tables_of_list | {"stamp": of_run["stamp"]}
             rows, commit = publishing(shape, True)
             self._append(rows)
             self._judge(versions, suffix)
             self._append(commit)
-            script.placed = of_run
+            script.tables = of_run
         self._clear()
-        script.say(_command("COMMIT"))
+        script.add(_command("COMMIT"))
 
     def _append(self, plan: Plan) -> None:
         for name, kind, into, _, _ in plan.statements:
@@ -260,18 +262,18 @@ class _Made:
 
     def _judge(self, versions: Sequence[Row], suffix: str) -> None:
         """Append the judgements of what was written."""
-        script, of_list = self.script, dict(self.script.placed)
-        ratios = sorted({buckets_of(one) for one in versions})
+        script, of_list = self.script, dict(self.script.tables)
+        ratios = sorted({buckets_of(version) for version in versions})
         for buckets in ratios:
             called = suffix + (f"_of_{buckets}" if len(ratios) > 1 else "")
-            script.placed["cohort"] = of_list["changed"]
-            script.placed["new_buckets"] = of_list["written"]
+            script.tables["cohort"] = of_list["changed"]
+            script.tables["new_buckets"] = of_list["written"]
             if len(ratios) > 1:
                 part = Pipeline()
                 add(part, "stored/monitor/window_changed", {"buckets": buckets})
-                script.placed["cohort"] = of_list["cohort"]
+                script.tables["cohort"] = of_list["cohort"]
                 script.step(part, "window_changed", f"changed{called}")
-                script.placed["cohort"] = script.placed["window_changed"]
+                script.tables["cohort"] = script.tables["window_changed"]
             steps = Pipeline()
             add(steps, "stored/alarms/judged_until", {"near": exp.true()})
             script.step(steps, "judged_until", f"judged_until{called}")
@@ -279,13 +281,13 @@ class _Made:
             for name in ("judged_buckets", "judged_windows"):
                 script.step(judging, name, f"{name}{called}")
             script.append(judging, "judgement_rows", "judgement")
-            script.placed = dict(of_list)
+            script.tables = dict(of_list)
 
     def _clear(self) -> None:
         """Delete what this run hides, and record what else it saw."""
         script, state = self.script, self.monitor.state
         run_id = filled("stored/monitor/run_id")
-        place(run_id, script.placed)
+        place(run_id, script.tables)
         has_programs = any(setting.has_programs for setting, _ in self.lists)
         for table in hidden_tables(has_programs):
             slots: dict[str, template.Slot] = {
@@ -294,26 +296,26 @@ class _Made:
                 "near": exp.true(),
             }
             appended = {"appended": state.tables.table(table)}
-            found = state.query("stored/state/superseded", slots, appended)
+            hidden = state.query("stored/state/superseded", slots, appended)
             target = state.tables.table(table)
             comment = f"Rows of {target.name} that this run has replaced."
-            script.say(deletion(target, found.named_selects, tidied(found)), comment)
+            script.add(deletion(target, hidden.named_selects, tidied(hidden)), comment)
         steps = Pipeline()
         about: dict[str, template.Slot] = {"monitor_id": self.monitor_id}
         add(steps, "stored/monitor/proof_rows", about)
         script.append(steps, "proof_rows", "proof")
         add(steps, "stored/monitor/unplaced_rows", about)
-        said = "What it could place nowhere, and that it ran."
-        script.append(steps, "unplaced_rows", "unplaced", said)
+        comment = "What it could place nowhere, and that it ran."
+        script.append(steps, "unplaced_rows", "unplaced", comment)
         for name in ("unknown_rows", "ahead_rows"):
-            if name in script.placed:
+            if name in script.tables:
                 add(steps, f"stored/monitor/{name}", about)
                 script.append(steps, name, "left_out")
         before = {"monitor": template.text(self.monitor.name)}
         expired = state.query("stored/pruning/expired_left_out", before)
-        comment = "What an earlier run left out is told by it no more."
+        comment = "Of what runs left out only the newest counts."
         left_out = state.tables.table("left_out")
-        script.say(deletion(left_out, expired.named_selects, expired), comment)
+        script.add(deletion(left_out, expired.named_selects, expired), comment)
 
 
 #: What the lists of a run read of the steps before them.

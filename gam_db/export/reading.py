@@ -86,7 +86,7 @@ class Reading:
         script.step(steps, "clock")
         newest = planned_runs()
         script.step(newest, "newest_runs", "planned_runs")
-        script.placed["planned_runs"] = script.placed.pop("newest_runs")
+        script.tables["planned_runs"] = script.tables.pop("newest_runs")
         steps = self.steps = Pipeline()
         add(steps, "stored/state/active", {"monitor_id": self.monitor_id})
         script.step(steps, "active")
@@ -147,8 +147,8 @@ class Reading:
         add(steps, "stored/state/newest", name="newest_staying", tables={"active": "staying"})
         add(steps, "stored/scoring/whole", tables={"newest": "newest_staying"})
         script.step(steps, "whole")
-        asked, tables = {"long_ago": LONG_AGO}, {"restart": "whole"}
-        add(steps, "stored/scoring/plan", asked, "whole_plan", tables)
+        slots, tables = {"long_ago": LONG_AGO}, {"restart": "whole"}
+        add(steps, "stored/scoring/plan", slots, "whole_plan", tables)
         add(steps, "stored/monitor/begun", {"long_ago": LONG_AGO})
         script.step(steps, "begun")
         add(steps, "stored/monitor/counted", {"day": DAY})
@@ -175,7 +175,7 @@ class Reading:
             add(steps, "source/ahead", {"latest": latest}, tables={"readings": "rows_ahead"})
             add(steps, "stored/monitor/ahead_rows", about)
             script.step(steps, "ahead_rows")
-        del script.placed["names"]
+        del script.tables["names"]
 
     def count_calibration(self) -> None:
         """Count the rows of calibration where that is due."""

@@ -19,40 +19,40 @@ _WIDTH = 94
 
 
 class Script:
-    """Statements in order, each with its comment; ``placed`` says where tables lie.
+    """Statements in order, each with its comment; ``tables`` are those that they read, by name.
 
     Args:
         engine: that the script is for.
-        placed: the state tables.
+        tables: those of the state.
     """
 
-    def __init__(self, engine: Engine, placed: Mapping[str, exp.Table]) -> None:
-        self.engine, self.placed = engine, dict(placed)
+    def __init__(self, engine: Engine, tables: Mapping[str, exp.Table]) -> None:
+        self.engine, self.tables = engine, dict(tables)
         self.parts: list[tuple[str, exp.Expr]] = []
         self.verified: list[exp.Table] = []
 
     def keep(self, name: str, query: exp.Query, comment: str = "", called: str = "") -> None:
         """Make a temporary table of the rows of a query."""
-        place(query, self.placed)
+        place(query, self.tables)
         table = self._temporary(called or name)
-        self.placed[name] = table
+        self.tables[name] = table
         self._make(table, query, comment)
         if self.engine.analyzes:
-            self.say(exp.Analyze(tables=[table.copy()]))
+            self.add(exp.Analyze(tables=[table.copy()]))
 
     def step(self, steps: Pipeline, name: str, called: str = "") -> None:
         """Make a temporary table of the rows of a step."""
-        query = steps.query(name, self.placed, commented=True)
+        query = steps.query(name, self.tables, commented=True)
         self.keep(name, query, steps.steps[name].made.comment, called)
 
     def verify(self, query: exp.Query, sentence: str, comment: str = "") -> None:
         """End the script with an error where a query has a row."""
-        place(query, self.placed)
+        place(query, self.tables)
         steps = Pipeline()
         failure = self.engine.failure(sentence, exp.column("problem_rows", table="counted"))
         add(steps, "stored/monitor/failing", {"failure": failure})
         failing = steps.query("failing").copy()
-        (problems,) = (one for one in failing.find_all(exp.Table) if one.name == "problems")
+        (problems,) = (table for table in failing.find_all(exp.Table) if table.name == "problems")
         problems.replace(_without_order(query).subquery("problems"))
         table = self._temporary(f"verified_{len(self.verified) + 1}")
         self.verified.append(table)
@@ -60,11 +60,11 @@ class Script:
 
     def append(self, steps: Pipeline, name: str, table: str, comment: str = "") -> None:
         """Append the rows of a step to a table of the state."""
-        query = steps.query(name, self.placed, commented=True)
-        said = comment or steps.steps[name].made.comment
-        self.say(insertion(self.placed[f"stored_{table}"].copy(), tidied(query)), said)
+        query = steps.query(name, self.tables, commented=True)
+        comment = comment or steps.steps[name].made.comment
+        self.add(insertion(self.tables[f"stored_{table}"].copy(), tidied(query)), comment)
 
-    def say(self, statement: exp.Expr, comment: str = "") -> None:
+    def add(self, statement: exp.Expr, comment: str = "") -> None:
         """Add a statement."""
         self.parts.append((comment, statement))
 
@@ -81,12 +81,12 @@ class Script:
 
     def _make(self, table: exp.Table, query: exp.Query, comment: str) -> None:
         for step in query.find_all(exp.CTE):
-            said = " ".join(" ".join(step.this.comments or []).split())
+            text = " ".join(" ".join(step.this.comments or []).split())
             step.this.comments = (
-                [f" {textwrap.fill(said, _WIDTH, subsequent_indent=' ' * 5)} "] if said else None
+                [f" {textwrap.fill(text, _WIDTH, subsequent_indent=' ' * 5)} "] if text else None
             )
         storage = self.engine.storage.temporary
-        self.say(temporary(table, tidied(query), *storage), comment)
+        self.add(temporary(table, tidied(query), *storage), comment)
 
 
 def _without_order(query: exp.Query) -> exp.Query:
@@ -109,8 +109,8 @@ def tidied(tree: exp.Query) -> exp.Query:
 
 def _holds(condition: exp.Expr) -> bool:
     bare = condition.unnest()
-    one = exp.Literal.number(1)
-    return bare == exp.true() or bare == exp.EQ(this=one, expression=one.copy())
+    number = exp.Literal.number(1)
+    return bare == exp.true() or bare == exp.EQ(this=number, expression=number.copy())
 
 
 def commented(text: str) -> str:

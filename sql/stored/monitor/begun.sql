@@ -43,10 +43,10 @@ LEFT JOIN (
     1 AS hit
   FROM whole_plan AS again
   JOIN oldest_rows AS gone ON gone.version_id = again.version_id
-  JOIN whole AS kept ON kept.version_id = again.version_id
-  JOIN active AS made ON made.version_id = again.version_id
-  JOIN plan AS known ON known.version_id = again.version_id
-  WHERE again.first_bucket >= known.first_bucket
+  JOIN whole AS ending ON ending.version_id = again.version_id
+  JOIN active AS version ON version.version_id = again.version_id
+  JOIN plan AS planned ON planned.version_id = again.version_id
+  WHERE again.first_bucket >= planned.first_bucket
     AND gone.oldest_time
-    > CASE WHEN made.run_up_from > CAST(:long_ago AS BIGINT) THEN made.run_up_from ELSE kept.begin_time END
+    > CASE WHEN version.run_up_from > CAST(:long_ago AS BIGINT) THEN version.run_up_from ELSE ending.begin_time END
 ) AS staying ON staying.version_id = frozen.version_id
