@@ -50,10 +50,11 @@ def compile(
     if form == "monitor":
         if relation is not None:
             raise ConfigurationError("A monitor knows its source; leave SOURCE out.")
-        kept = settings.monitor
-        schema = kept.schema if schema is None else schema
-        own = dataclasses.replace(kept, schema=schema, prefix=kept.prefix if prefix is None else prefix)
-        _write(_run_of(dataclasses.replace(settings, monitor=own), engine), out)
+        about = settings.monitor
+        schema = about.schema if schema is None else schema
+        prefix = about.prefix if prefix is None else prefix
+        about = dataclasses.replace(about, schema=schema, prefix=prefix)
+        _write(_run_of(dataclasses.replace(settings, monitor=about), engine), out)
         return
     engine = "duckdb" if engine is None else engine
     parameters, calibration = settings.method()

@@ -472,14 +472,14 @@ def deletion(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Del
     return exp.Delete(this=table.copy(), where=exp.Where(this=among))
 
 
-def settings(said: Mapping[str, str | int], kind: str | None = None) -> list[exp.Expr]:
+def settings(values: Mapping[str, str | int], kind: str | None = None) -> list[exp.Expr]:
     """Return the statements that set what a session is set to; a kind stands before the name."""
-    made: list[exp.Expr] = []
-    for name, value in said.items():
+    statements: list[exp.Expr] = []
+    for name, value in values.items():
         node = template.text(value) if isinstance(value, str) else template.node_of(value)
         set_to = exp.EQ(this=exp.var(name), expression=node)
-        made.append(exp.Set(expressions=[exp.SetItem(this=set_to, kind=kind)]))
-    return made
+        statements.append(exp.Set(expressions=[exp.SetItem(this=set_to, kind=kind)]))
+    return statements
 
 
 def called(function: str, *arguments: exp.Expr) -> exp.Expr:

@@ -161,8 +161,8 @@ class DbapiDriver(Driver):
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         types = {field.name: self.type_of(field.type) for field in rows.schema}
-        made = temporary(with_columns(table, types), None, *self.engine.storage.temporary)
-        self.execute(self.engine.text(made))
+        empty = temporary(with_columns(table, types), None, *self.engine.storage.temporary)
+        self.execute(self.engine.text(empty))
         places = exp.Tuple(expressions=[exp.var(self.place) for _ in types])
         insert = exp.Insert(this=table.copy(), expression=exp.Values(expressions=[places]))
         cursor = self._connection.cursor()
