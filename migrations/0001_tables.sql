@@ -410,7 +410,8 @@ CREATE TABLE IF NOT EXISTS stored_run (
   withdrawn BIGINT,
   still_since BIGINT,
   hides BIGINT,
-  made_from BIGINT
+  made_from BIGINT,
+  episodes_pending BIGINT
 );
 
 COMMENT ON TABLE stored_run IS 'Finished runs of scoring; one row per run and version';
@@ -444,6 +445,8 @@ COMMENT ON COLUMN stored_run.still_since
 COMMENT ON COLUMN stored_run.hides IS '0 if no row of an earlier run is left that it hides; NULL where there may be';
 COMMENT ON COLUMN stored_run.made_from
   IS 'First bucket that it made of what it read; those before from_bucket are as they were. NULL: it wrote all of them';
+COMMENT ON COLUMN stored_run.episodes_pending
+  IS '1 where episodes follow its judgements in the next run of gam score: a script ran; else NULL';
 
 -- Unplaced: how many rows of the source a run could give to no channel or instant; the newest row says when the last
 -- run was.

@@ -867,3 +867,37 @@ COMMENT ON COLUMN stored_unplaced_day.nameless IS 'Rows without asset or channel
 COMMENT ON COLUMN stored_unplaced_day.undated IS 'Rows without a time';
 COMMENT ON COLUMN stored_unplaced_day.strangers IS 'Rows of channels that have no calibration';
 COMMENT ON COLUMN stored_unplaced_day.stranger_channels IS 'How many such channels there were';
+
+-- Last run: when the last run of each monitor began, and how old it is by the clock of the database. Every run that is
+-- committed leaves a row in unplaced or run, also where nothing is new.
+CREATE OR REPLACE VIEW stored_last_run AS
+SELECT
+  watching.name AS monitor,
+  MAKE_TIMESTAMP(begun.started) AS started_at,
+  CASE
+    WHEN begun.age > 0
+      THEN CAST(FLOOR((CAST(begun.age AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(1000000 AS DOUBLE)) AS BIGINT)
+    ELSE 0
+  END AS age_seconds
+FROM (
+  SELECT
+    monitor_id,
+    MAX(ran.started) AS started,
+    CAST(EPOCH_US(CURRENT_TIMESTAMP) AS BIGINT) - MAX(ran.started) AS age
+  FROM (
+    SELECT monitor_id, started
+    FROM stored_unplaced
+    UNION ALL
+    SELECT named.monitor_id AS monitor_id, run.started AS started
+    FROM stored_finished_run AS run
+    JOIN stored_version AS version ON version.version_id = run.version_id
+    JOIN stored_channel AS named ON named.channel_id = version.channel_id
+  ) AS ran
+  GROUP BY monitor_id
+) AS begun
+JOIN stored_monitor AS watching ON watching.monitor_id = begun.monitor_id;
+
+COMMENT ON VIEW stored_last_run IS 'How old the last committed run of each monitor is; one row per monitor that ever ran';
+COMMENT ON COLUMN stored_last_run.monitor IS 'The monitor';
+COMMENT ON COLUMN stored_last_run.started_at IS 'When the run began (UTC)';
+COMMENT ON COLUMN stored_last_run.age_seconds IS 'How many seconds ago that was, by the clock of the database';

@@ -9,6 +9,7 @@ import typer
 from gam_db import data
 from gam_db.cli import options
 from gam_db.cli.config import Settings
+from gam_db.cli.job import watched
 from gam_db.cli.options import argument, option
 from gam_db.clock import TimeKind
 from gam_db.engines import NAMES, engine_named
@@ -17,22 +18,24 @@ from gam_db.errors import ConfigurationError, unwritable, wrong
 from gam_db.export import Package, write
 from gam_db.export import grafana as dashboards
 from gam_db.export.models import ADAPTERS
+from gam_db.export.monitor import rendered
 from gam_db.export.script import render
 from gam_db.reading import look
 from gam_db.reading.guess import SourceSettings, guess
 from gam_db.settings.source import AnySource, Source, WideSource, as_folder, is_file
 from gam_db.stored.schema.tables import StateTables
 
-Form = Literal["exact", "view"]
+Form = Literal["exact", "view", "monitor"]
 
 
-@options.taking(*options.READ, "time_kind")
+@options.taking(*options.READ, "time_kind", "name", "lookback", "park_after")
 def compile(
     settings: Settings,
+    relation: str | tuple[str, ...] | None,
     form: Form = option("compile.form", "view"),
-    engine: str = option("compile.engine", "duckdb", names=", ".join(NAMES)),
+    engine: str | None = option("compile.engine", names=", ".join(NAMES)),
     out: Path | None = option("compile.out"),
-    prefix: str = option("compile.prefix", "gam_live_"),
+    prefix: str | None = option("compile.prefix"),
     schema: str | None = option("compile.schema"),
 ) -> None:
     """Print the complete SQL script that computes the health indicator of SOURCE on an engine.
@@ -40,13 +43,41 @@ def compile(
     SOURCE is a table of that engine. Its columns are looked at where gam can see them (a file, a folder
     of files, or a table of --database); elsewhere they are called asset, channel, time and value unless
     named.
+
+    With --form monitor it prints one run of a calibrated monitor of --database, without SOURCE: the
+    command line of that database executes it again and again, with no Python (docs/schedule.md).
     """
+    if form == "monitor":
+        if relation is not None:
+            raise ConfigurationError("A monitor knows its source; leave SOURCE out.")
+        about = settings.monitor
+        schema = about.schema if schema is None else schema
+        prefix = about.prefix if prefix is None else prefix
+        about = dataclasses.replace(about, schema=schema, prefix=prefix)
+        _write(_run_of(dataclasses.replace(settings, monitor=about), engine), out)
+        return
+    engine = "duckdb" if engine is None else engine
     parameters, calibration = settings.method()
     if settings.source.database is None and engine_named(engine).reads_files:
         placed = dataclasses.replace(settings.source, relation=as_folder(settings.source.relation))
         settings = dataclasses.replace(settings, source=placed)
     source = described(settings, engine_named(engine).guard is not None)
-    script = render(form, engine, source, parameters, calibration, prefix, schema)
+    prefix = "gam_live_" if prefix is None else prefix
+    _write(render(form, engine, source, parameters, calibration, prefix, schema), out)
+
+
+def _run_of(settings: Settings, engine: str | None) -> str:
+    """Return the script of one run of a monitor."""
+    with options.opened(settings, writable=False) as session:
+        if engine is not None and engine != session.engine.name:
+            raise ConfigurationError(
+                f"The monitor lies on {session.engine.name}; leave out --engine {engine}."
+            )
+        monitor, _ = watched(session, settings, None)
+        return rendered(monitor)
+
+
+def _write(script: str, out: Path | None) -> None:
     if out is None:
         print(script, end="")
         return

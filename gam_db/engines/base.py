@@ -35,6 +35,9 @@ _SAID = data.table("gam_db.engines", "engines.toml")
 #: Begins what a statement says that met a value which is not whole.
 REFUSES = "gam-db: "
 
+#: A day, in microseconds.
+DAY = 86_400_000_000
+
 #: Texts of late by engine, its home and the hash of the tree, and how many there are at most.
 _TEXTS: dict[tuple[str, str | None, int], str] = {}
 _MOST_TEXTS = 3000
@@ -134,6 +137,18 @@ class Engine:
     #: What is read (``:read``), and an error if the column (``:word``) is a text.
     of_no_text: str = ""
     refusing: str = ""  # an expression that fails; what is said of it holds ``REFUSES``
+    #: The same with a sentence (``:text``), and a number of ``:rows``, so that it is no constant; empty
+    #: where a script cannot end by itself.
+    failing: str = ""
+    #: What its command line is told by a script that must end with an error.
+    client: Sequence[str] = field(default=(), hash=False)
+    begins: str = "BEGIN"  # begins a transaction
+    #: What a session is set to while a script computes, and what is undone of it before it publishes.
+    working: Sequence[exp.Expr] = field(default=(), hash=False)
+    resting: Sequence[exp.Expr] = field(default=(), hash=False)
+    analyzes: bool = False  # whether its planner has to be told what is in a table that was made
+    #: The day of an instant (``:micros``) as text, where a time is a text and its days are compared.
+    day: str = ""
     #: How numbers and times are read from text; None where that is left to views.
     texts: Texts | None = None
     #: Lets columns of a text file be read as other types (name -> type).
@@ -224,6 +239,12 @@ class Engine:
         cases = ((formula(self.whole[what], word=column), read), (is_there, refused))
         return exp.Case(ifs=[exp.If(this=when, true=then.copy()) for when, then in cases])
 
+    def failure(self, sentence: str, rows: exp.Expr) -> exp.Expr:
+        """Return an expression that ends a script, with a sentence; rows is their number, a column."""
+        slots = {"text": template.text(sentence), "rows": rows}
+        used = _formula(self.failing).slots
+        return formula(self.failing, **{name: slots[name] for name in used})
+
     def clock(self) -> exp.Expr:
         """Return the expression of this instant by the database's clock, in microseconds since 1970."""
         return formula(self.now)
@@ -282,11 +303,28 @@ class Engine:
             conditions.append(exp.LT(this=column.copy(), expression=self._bound(kind, last + 1)))
         return conditions
 
-    def _bound(self, kind: TimeKind, time: int) -> exp.Expr:
+    def _bound(self, kind: TimeKind, time: int | exp.Expr) -> exp.Expr:
         """Return an integer time as a column of a kind can be compared with it."""
         if kind in self.compared:
             return formula(self.compared[kind], micros=time)
         return self.instant_of(kind, template.node_of(time))
+
+    def beside(self, kind: TimeKind, column: exp.Expr, time: exp.Expr, is_after: bool) -> list[exp.Expr]:
+        """Return the conditions that a time is not before, or is before, one that a query gives.
+
+        They are on the column itself, as those of a range; NULL holds for no row.
+        """
+        compared = exp.GTE if is_after else exp.LT
+        if not self.day or kind.is_counter:
+            return [compared(this=column.copy(), expression=self._bound(kind, time))]
+        # A day further, since an offset may be another day.
+        further = time.copy() - DAY if is_after else time.copy() + 2 * DAY
+        day = formula(self.day, micros=exp.paren(further))
+        micros = self.micros_of(kind, column)
+        return [
+            compared(this=column.copy(), expression=day),
+            compared(this=micros, expression=time.copy()),
+        ]
 
     def text(self, tree: exp.Expr, pretty: bool = False) -> str:
         """Return a tree as SQL of this engine.
@@ -343,6 +381,16 @@ def deletion(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Del
     key = exp.Tuple(expressions=[exp.column(exp.to_identifier(name)) for name in keys])
     among = exp.In(this=key, query=exp.Subquery(this=found))
     return exp.Delete(this=table.copy(), where=exp.Where(this=among))
+
+
+def settings(values: Mapping[str, str | int], kind: str | None = None) -> list[exp.Expr]:
+    """Return the statements that set what a session is set to; a kind stands before the name."""
+    statements: list[exp.Expr] = []
+    for name, value in values.items():
+        node = template.text(value) if isinstance(value, str) else template.node_of(value)
+        set_to = exp.EQ(this=exp.var(name), expression=node)
+        statements.append(exp.Set(expressions=[exp.SetItem(this=set_to, kind=kind)]))
+    return statements
 
 
 def called(function: str, *arguments: exp.Expr) -> exp.Expr:

@@ -121,9 +121,7 @@ class DbapiDriver(Driver):
     A driver of one says what differs: its catalogue, what its types mean, how rows come out.
     """
 
-    begins = "BEGIN"  # the statement that begins a transaction
     place = "?"  # what stands for a value in a statement
-    storage: Sequence[exp.Expr] = ()  # what is said of the storage of temporary tables
 
     def __init__(self, connection: Any, owned: bool) -> None:
         self._connection, self._owned = connection, owned
@@ -146,7 +144,7 @@ class DbapiDriver(Driver):
         return pa.array(column)
 
     def begin(self) -> None:
-        self._asked(self.begins)
+        self._asked(self.engine.begins)
 
     def commit(self) -> None:
         self._asked("COMMIT")
@@ -159,11 +157,12 @@ class DbapiDriver(Driver):
         return bool(self._connection.in_transaction)
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
-        self.execute(self.engine.text(temporary(table, query, *self.storage)))
+        self.execute(self.engine.text(temporary(table, query, *self.engine.storage.temporary)))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         types = {field.name: self.type_of(field.type) for field in rows.schema}
-        self.execute(self.engine.text(temporary(with_columns(table, types), None, *self.storage)))
+        empty = temporary(with_columns(table, types), None, *self.engine.storage.temporary)
+        self.execute(self.engine.text(empty))
         places = exp.Tuple(expressions=[exp.var(self.place) for _ in types])
         insert = exp.Insert(this=table.copy(), expression=exp.Values(expressions=[places]))
         cursor = self._connection.cursor()

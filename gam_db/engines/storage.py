@@ -25,6 +25,7 @@ class Storage:
     column_note: Note = lambda said: exp.CommentColumnConstraint(this=said)  # the same of a column
     #: What is said of the storage of a table.
     properties: Callable[["Definition"], Sequence[exp.Expr]] = lambda _: ()
+    temporary: Sequence[exp.Expr] = ()  # the same of a temporary table
     #: Changes a column of a table that is made.
     column: Callable[[exp.ColumnDef], None] = lambda _: None
     #: Whether texts of any length can be in an index on the key; None for no index.

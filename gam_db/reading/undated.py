@@ -112,7 +112,14 @@ def undated(
         kind: how it tells time.
         among_all: count the local times that come twice, too, for which all rows are looked at.
     """
-    engine = session.engine
+    (row,) = session.rows(counting(session.engine, source, relation, kind, among_all))
+    return Undated(**row)
+
+
+def counting(
+    engine: Engine, source: AnySource, relation: exp.Expr, kind: TimeKind, among_all: bool
+) -> exp.Query:
+    """Return the query of :func:`undated`."""
     if not among_all:
         time = template.column(source.time)
         suspect = [engine.tells_none(kind, time)]
@@ -122,8 +129,7 @@ def undated(
         for edges in () if clock is None else clock.skipped():
             suspect.append(exp.and_(*engine.in_range(kind, time, *edges), copy=False))
         source = under(source, exp.paren(exp.or_(*suspect, copy=False), copy=False))
-    (row,) = session.rows(engine.undated(source, relation, kind))
-    return Undated(**row)
+    return engine.undated(source, relation, kind)
 
 
 def without(source: AnySource, *conditions: str) -> str:

@@ -130,7 +130,8 @@ class State:
         """
         with self.session.transaction():
             if self.session.transactions:
-                self._touch("migration", "number", 1, "applied_at")
+                for statement in _touching(self.tables.table("migration"), "number", 1, "applied_at"):
+                    self.session.execute(statement)
             if self.keys() != keys:
                 raise ConflictError(CONFLICT)
             yield
@@ -149,19 +150,26 @@ class State:
             ConflictError: another one does so, and the engine does not wait for it.
         """
         if self.session.transactions:
-            self._touch("monitor", "monitor_id", monitor_id, "created")
-
-    def _touch(self, table: str, key: str, value: int, column: str) -> None:
-        """Change a row and change it back: the same value alone would be no change to DuckDB."""
-        row, touched = exp.column(key).eq(value), exp.column(column)
-        for again in (touched + 1, touched - 1):
-            changed = exp.update(self.tables.table(table), {column: again}, row)
-            self.session.execute(changed)
+            for statement in locking(self.tables, monitor_id):
+                self.session.execute(statement)
 
     def next_run(self) -> int:
         """Return a run id above all others, which no other writer gives at the same time."""
         newest = self.last_numbers()["run"]
         return max(newest + 1, first_run_at(now())) + secrets.randbits(_RANDOM_BITS)
+
+
+def locking(tables: StateTables, monitor_id: int) -> list[exp.Expr]:
+    """Return the statements that let nobody else publish runs of a monitor in a transaction."""
+    return _touching(tables.table("monitor"), "monitor_id", monitor_id, "created")
+
+
+def _touching(table: exp.Table, key: str, value: int, column: str) -> list[exp.Expr]:
+    """Return what changes a row and changes it back: the same value alone is no change to DuckDB."""
+    row, touched = exp.column(key).eq(value), exp.column(column)
+    return [
+        exp.update(table.copy(), {column: again}, row.copy()) for again in (touched + 1, touched - 1)
+    ]
 
 
 def kind_of(monitor: Mapping[str, Any]) -> TimeKind:

@@ -4,6 +4,7 @@ import re
 import subprocess
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import psycopg
@@ -35,7 +36,7 @@ SETTINGS = (
 STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"}
 STATUS |= {"version", "bounds", "run", "finished_run", "unplaced", "left_out", "unjudged_program"}
 SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"}
-SHOWN |= {"channel", "limit", "alarm", "ladder", "probe", "program", "label"}
+SHOWN |= {"channel", "limit", "alarm", "ladder", "probe", "program", "label", "last_run"}
 SHOWN |= {"visible_judgement", "labelled_episode", "alarm_event", "alarm_band", "alarm_cell"}
 
 #: The views that a writer takes, and the tables whose rows stay.
@@ -156,6 +157,23 @@ def test_each_does_its_work_and_no_other(plant: Any) -> None:
     for words in ("drop --yes", "migrate --prefix other_"):
         assert refused(plant, WRITER, *words.split())
     assert not refused(plant, OWNER, "migrate", "--prefix", "other_")
+
+
+def test_a_writer_runs_a_script_and_a_reader_does_not(plant: Any, tmp_path: Path) -> None:
+    """And both see how old the last run is."""
+    administered(plant)
+    path = tmp_path / "run.sql"
+    assert gam(plant, WRITER, *WORK[0])[0] in (0, 2)
+    assert gam(plant, WRITER, "compile", "--form", "monitor", "--out", str(path))[0] == 0
+    for role, is_refused in ((READER, True), (WRITER, False)):
+        words = ["psql", "-X", "-d", url(plant, role), "-f", str(path)]
+        done = subprocess.run(words, capture_output=True, text=True)
+        assert ("permission denied" in done.stderr) is is_refused, done.stderr
+        assert (done.returncode != 0) is is_refused
+    with psycopg.connect(url(plant, READER), autocommit=True) as mine:
+        ((count,),) = mine.execute(f'SELECT count(*) FROM "{SCHEMA}".gam_last_run').fetchall()
+        assert count == 1
+    assert plant.execute(BUCKETS).fetchall()
 
 
 @pytest.mark.parametrize("role", [READER, WRITER])

@@ -78,6 +78,9 @@ _STORED = (
 #: Files of ``sql/`` -> the tests that are about them and so are tried first.
 _ABOUT = {
     "source/names": "test_learnt",
+    **dict.fromkeys(("stored/monitor/failing", "stored/monitor/unlisted"), "test_run_sql_ends"),
+    "stored/monitor/*": "test_run_sql",
+    "stored/alarms/pending_runs": "test_run_sql",
     "streams/*": "test_streaming",
     "stored/*program*": "test_program_histories",
     "source/unpivoted": "test_wide",

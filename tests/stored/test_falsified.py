@@ -44,6 +44,7 @@ MAY_DIFFER = {
     ("run", "planned_from"): "the run that it names may be pruned; one too small is found",
     ("run", "planned_from IS NULL"): "runs of before it was recorded have none",
     ("run", "hides IS NULL"): "earlier runs are looked at for nothing",
+    ("run", "episodes_pending"): "the next run follows more judgements than it has to",
     (
         "run",
         "hides",
@@ -347,6 +348,7 @@ def find_all(engine: str) -> None:
     assert emptied <= {
         *(("version", f"{column} IS NULL") for column in ("max_gap", "score_from")),
         ("run", "withdrawn IS NULL"),
+        ("run", "episodes_pending IS NULL"),
         *is_null,
         *(
             ("bounds", f"{column} IS NULL")

@@ -61,7 +61,8 @@ def given() -> dict[str, sql_lint.Columns]:
     known["former_buckets"] = {**known["written"], **kept}
     cells = "channel_id version_id bucket_no cell_key visits first_time last_time"
     known["former_novel"] = dict.fromkeys(cells.split(), Kind.INTEGER)
-    known["stamp"] = dict.fromkeys(("run_id", "started", "committed", "deletes_hidden"), Kind.INTEGER)
+    stamp = ("run_id", "started", "committed", "deletes_hidden", "episodes_pending")
+    known["stamp"] = dict.fromkeys(stamp, Kind.INTEGER)
     known["limits"] = known["cohort"]
     numbering = ("channel_id", "stored_channel_id", "version_id", "stored_support_id")
     known["numbering"] = dict.fromkeys(numbering, Kind.INTEGER)

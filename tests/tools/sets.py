@@ -11,6 +11,8 @@ FIRST: dict[str, tuple[str, ...]] = {
     "postgres": (
         "checking/",
         "engines/",
+        "export/test_run_sql.py::test_a_history_leaves_what_gam_score_leaves",
+        "export/test_run_sql_ends.py::test_a_faster_run",
         "method/test_agreement.py",
         "method/test_probe.py::test_golden_figures",
         "method/test_programs.py::test_cells_of_programs_by_hand",
@@ -42,6 +44,8 @@ FIRST: dict[str, tuple[str, ...]] = {
     "mariadb": (
         "engines/test_mariadb.py",
         "engines/test_types.py",
+        "export/test_run_sql.py::test_a_history_leaves_what_gam_score_leaves",
+        "export/test_run_sql_ends.py::test_a_faster_run",
         "method/test_probe.py::test_golden_figures",
         "method/test_programs.py::test_cells_of_programs_by_hand",
         "method/test_spec.py::test_cases[",

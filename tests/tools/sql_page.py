@@ -37,6 +37,7 @@ ROOMS = {
     "stored/state": "The stored form: what is there of monitors, channels, versions and runs.",
     "stored/calibrating": "What a new version freezes, and the sums that tell damage.",
     "stored/scoring": "From where a run reads, what it counts, and the rows that it appends.",
+    "stored/monitor": "What a run decides where no Python runs between its statements.",
     "stored/alarms": "What is judged by a run, the episodes that follow, and what people are told.",
     "stored/checking": "What must hold between the tables, and between them and the source.",
     "stored/pruning": "Which rows go.",

@@ -5,7 +5,7 @@ from functools import partial
 from sqlglot import exp
 
 from gam_db.clock import TimeKind
-from gam_db.engines.base import Engine, Texts, formula
+from gam_db.engines.base import Engine, Texts, formula, settings
 from gam_db.engines.duckdb.reading import count_of_text, instant_of_text, is_zoned, number_of, retyped
 from gam_db.engines.rewrites import compare_by_bytes
 from gam_db.engines.types import Types
@@ -47,6 +47,7 @@ def counted_as_doubles(tree: exp.Expr) -> exp.Expr:
 ENGINE = Engine.named(
     "duckdb",
     delays_by_column=True,
+    working=settings({"TimeZone": "UTC"}),
     types=Types("duckdb", (("TIMESTAMPTZ_NS", "TIMESTAMPTZ(9)"),)),
     texts=Texts(number_of, instant_of_text, count_of_text),
     zoned=is_zoned,

@@ -4,8 +4,9 @@ from functools import partial
 
 from sqlglot import exp
 
+from gam_db import data
 from gam_db.composing import template
-from gam_db.engines.base import Engine, called
+from gam_db.engines.base import Engine, called, settings
 from gam_db.engines.rewrites import compare_by_bytes, escape_by_backslash
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
@@ -63,16 +64,23 @@ def guard(table: exp.Table, column: str) -> exp.Expr:
     return exp.Command(this="EXECUTE", expression=f"IMMEDIATE {body}")
 
 
+#: The collation of the database itself may hold few signs.
+_BY_BYTES = exp.CollateProperty(this=exp.var(COLLATION))
+
+_AT_WORK = data.table("gam_db.engines.mariadb", "mariadb.toml")["settings"]
+
 ENGINE = Engine.named(
     "mariadb",
     types=Types("mysql"),
+    working=settings(_AT_WORK, "SESSION"),
     opening=(_NAMES,),
     guard=guard,
     reads_first=True,
     storage=Storage(
         comments="inside",
         view_comments=False,
-        properties=lambda _: [exp.CollateProperty(this=exp.var(COLLATION))],
+        properties=lambda _: [_BY_BYTES],
+        temporary=(_BY_BYTES,),
         index=False,
     ),
     rewrites=(

@@ -67,10 +67,8 @@ class MariaDriver(DbapiDriver):
     """A connection of PyMySQL."""
 
     engine = ENGINE
-    begins = "START TRANSACTION"
     no_files = "MariaDB does not read the file {path}; load it into a table and name that."
     place = "%s"
-    storage = (exp.CollateProperty(this=exp.var(COLLATION)),)  # the database's own may hold few signs
 
     def __init__(self, pymysql: Any, connection: Any, owned: bool) -> None:
         super().__init__(connection, owned)

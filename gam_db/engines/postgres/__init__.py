@@ -6,8 +6,9 @@ from functools import partial
 import sqlglot
 from sqlglot import exp
 
+from gam_db import data
 from gam_db.composing import template
-from gam_db.engines.base import Engine
+from gam_db.engines.base import Engine, settings
 from gam_db.engines.rewrites import compare_by_bytes
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
@@ -111,8 +112,12 @@ _MOST_IN_SET = sqlglot.parse_one(
 #: operator that fits its arguments better than PostgreSQL's own.
 PATH = "pg_catalog, pg_temp"
 
+_AT_WORK = data.table("gam_db.engines.postgres", "postgres.toml")
+
 ENGINE = Engine.named(
     "postgres",
+    working=settings(_AT_WORK["settings"] | _AT_WORK["planned_alone"]),
+    resting=[exp.Command(this="RESET", expression=name) for name in _AT_WORK["planned_alone"]],
     delays_by_column=True,
     types=Types("postgres", (("citext", "text"),)),
     storage=Storage(column=_by_bytes, index=True),

@@ -71,7 +71,6 @@ class SqliteDriver(DbapiDriver):
     errors: tuple[type[Exception], ...] = (sqlite3.Error,)
     no_files = "SQLite reads no files by path; load {path} into a table and name that."
     most_rows = 5_000_000  # temporary tables are on disk
-    begins = "BEGIN IMMEDIATE"  # no other connection can write beside it
 
     def __init__(self, connection: sqlite3.Connection, owned: bool) -> None:
         super().__init__(connection, owned)

@@ -15,7 +15,7 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.stored.alarms.judging import buckets_of
 from gam_db.stored.planning import Row, by
-from gam_db.stored.planning.reading import near
+from gam_db.stored.planning.reading import listed, near
 from gam_db.stored.state import State, now
 from gam_db.study.running import Running
 
@@ -77,6 +77,33 @@ def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[
     each version that has, or had, a limit), and those of the episodes that reach them or are open.
     """
     changes(state, monitor_id, group, judged).keep(state)
+
+
+def with_pending(
+    state: State, group: Sequence[Row], judged: Mapping[int, int], newest_run: int
+) -> dict[int, int]:
+    """Return what is to be followed, together with the judgements that a script has appended since.
+
+    No version's newest run is older than ``newest_run``.
+    """
+    if not pending(state, group, newest_run):
+        return dict(judged)
+    length = {row["version_id"]: buckets_of(row) for row in group}
+    since = {
+        row["version_id"]: row["from_bucket"] // length[row["version_id"]]
+        for row in pending(state, group, 0)
+    }
+    return {version: min(first, since.get(version, first)) for version, first in judged.items()}
+
+
+def pending(state: State, group: Sequence[Row], since: int) -> list[Row]:
+    """Return the versions of which a script appended judgements after the newest run of gam score.
+
+    Runs before ``since`` are not looked at.
+    """
+    among = listed(exp.column("version_id", table="run"), (row["version_id"] for row in group))
+    near: exp.Expr = exp.column("run_id", table="run") >= since
+    return state.rows("stored/alarms/pending_runs", {"among": among, "near": near})
 
 
 def changes(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[int, int]) -> Log:

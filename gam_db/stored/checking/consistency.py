@@ -20,7 +20,7 @@ from gam_db.columns import counts, table_of
 from gam_db.errors import ParameterError
 from gam_db.method.adding import add
 from gam_db.method.alarms import FAR, NEAR
-from gam_db.stored.alarms.episodes import LIVE, changes
+from gam_db.stored.alarms.episodes import LIVE, changes, pending
 from gam_db.stored.alarms.judging import BEFORE, UNTIL, buckets_of, judging_steps
 from gam_db.stored.alarms.limits import CHOSEN, learnt
 from gam_db.stored.alarms.told import DECISIONS, KINDS, UNREPRESENTATIVE
@@ -181,7 +181,12 @@ def _judgements(state: State, buckets: int, group: Sequence[Row]) -> Iterator[In
 
 
 def _unlike(state: State, monitor_id: int, active: Sequence[Row]) -> list[Row]:
-    """Return what the next run would have to change of the episodes, if it followed all judgements."""
+    """Return what the next run would have to change of the episodes, if it followed all judgements.
+
+    What a script has appended it follows in any case.
+    """
+    due = {row["version_id"] for row in pending(state, active, 0)} if active else set()
+    active = [row for row in active if row["version_id"] not in due]
     judged = dict.fromkeys((row["version_id"] for row in active), 0)
     known = judged.keys()
     found: list[Row] = []

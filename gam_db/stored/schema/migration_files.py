@@ -79,6 +79,9 @@ def placed(about: Definition, name: str, engine: Engine, tables: StateTables) ->
         for instant in list(create.find_all(exp.UnixToTime)):
             found = engine.instant_of(TimeKind.TIMESTAMP, instant.this.copy())
             instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
+        for clock in list(create.find_all(exp.CurrentTimestamp)):
+            assert clock.parent is not None  # as microseconds
+            clock.parent.replace(engine.clock())
     is_shown = name in FOR_READERS
     return engine.storage.define(Definition(create, about.comment, about.columns, is_shown))
 

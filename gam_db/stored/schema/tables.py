@@ -37,7 +37,7 @@ VIEWS = (
     *("finished_run", "hidden_run", "visible_bucket", "visible_novel", "visible_program"),
     *("visible_judgement", "visible_episode"),
     *("labelled_episode", "certified", "health", "stillness", "onset", "fleet", "machine", "trend"),
-    *("unplaced_day", "cell", "unjudged_program", "quarantine", "growth"),
+    *("unplaced_day", "last_run", "cell", "unjudged_program", "quarantine", "growth"),
     *("alarm", "alarm_event", "alarm_band", "alarm_cell"),
 )
 
@@ -52,6 +52,7 @@ FOR_READERS = frozenset(
             "onset",
             "trend",
             "unplaced_day",
+            "last_run",
             "ladder",
             "probe",
         ),

@@ -16,7 +16,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import filled, place
 from gam_db.composing.plan import Plan
 from gam_db.method.bits import Bits
-from gam_db.stored.alarms.episodes import follow
+from gam_db.stored.alarms.episodes import follow, with_pending
 from gam_db.stored.alarms.judging import buckets_of, judge
 from gam_db.stored.checking.proving import verify
 from gam_db.stored.planning import Cohort, Row, assets_of, is_due
@@ -167,6 +167,7 @@ class Scoring:
             state.lock(self.monitor["monitor_id"])
             running.execute(rows, queries, state.tables.table)
             judged = judge(state, group, given | {"stamp": running.placed["stamp"]})
+            judged = with_pending(state, group, judged, min(row["planned_from"] for row in scored))
             running.execute(commit, queries, state.tables.table)
             if transactions:
                 follow(state, self.monitor["monitor_id"], group, judged)

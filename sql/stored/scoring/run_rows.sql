@@ -42,7 +42,8 @@ SELECT
   member.planned_from AS planned_from,
   CASE WHEN calm.hit = 1 THEN calm.still_since END AS still_since,
   CASE WHEN CASE WHEN ranged.hit = 1 THEN stamp.deletes_hidden ELSE 1 END = 1 THEN CAST(0 AS BIGINT) END AS hides,
-  CASE WHEN ranged.hit = 1 THEN member.first_bucket END AS made_from
+  CASE WHEN ranged.hit = 1 THEN member.first_bucket END AS made_from,
+  stamp.episodes_pending AS episodes_pending
 FROM cohort AS member
 JOIN changed AS part ON part.channel_id = member.channel_id
 CROSS JOIN stamp
