@@ -118,7 +118,9 @@ def test_the_command_prints_it_and_the_line_of_cron_runs_it(
     assert ended.exit_code == 0, ended.output
     assert (tmp_path / "run.sql").read_text(encoding="utf-8") == script
     page = Path(__file__).parents[2] / "docs" / "schedule.md"
-    lines = re.findall(r"^\*/15 \* \* \* \* (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    text = page.read_text(encoding="utf-8")
+    assert command_lines.OF_DUCKDB in text
+    lines = re.findall(r"^\*/15 \* \* \* \* (.*)$", text, re.MULTILINE)
     (line,) = (one for one in lines if one.startswith("sqlite3 "))
     line = line.replace("/srv/plant/", f"{tmp_path}/")
     before = len(runs.stored(monitor)["bucket"])
