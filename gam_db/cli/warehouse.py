@@ -37,6 +37,7 @@ def compile(
     out: Path | None = option("compile.out"),
     prefix: str | None = option("compile.prefix"),
     schema: str | None = option("compile.schema"),
+    without: list[str] | None = option("compile.without"),
 ) -> None:
     """Print the complete SQL script that computes the health indicator of SOURCE on an engine.
 
@@ -63,7 +64,8 @@ def compile(
         settings = dataclasses.replace(settings, source=placed)
     source = described(settings, engine_named(engine).guard is not None)
     prefix = "gam_live_" if prefix is None else prefix
-    _write(render(form, engine, source, parameters, calibration, prefix, schema), out)
+    parts = None if not without else [part for part in without if part != "nothing"]
+    _write(render(form, engine, source, parameters, calibration, prefix, schema, parts), out)
 
 
 def _run_of(settings: Settings, engine: str | None) -> str:

@@ -187,7 +187,7 @@ def _composed(
     if not inputs:
         return query
     if isinstance(query, exp.SetOperation):
-        query = _selected_from(query)
+        query = selected_from(query)
     listed = []
     for name, step, is_small in inputs:
         body = step.query.copy()
@@ -284,7 +284,7 @@ def _entry(step: str) -> exp.Table:
     return exp.Table(this=exp.to_identifier(f"gam_step_{step}"))
 
 
-def _selected_from(union: exp.Query) -> exp.Query:
+def selected_from(union: exp.Query) -> exp.Query:
     """Wrap a union, since not every engine takes a WITH list before one."""
     columns = [exp.column(exp.to_identifier(name), table="rows_of") for name in union.named_selects]
     rows = union.subquery("rows_of", copy=False)

@@ -48,17 +48,6 @@ def temporary(made: exp.Expr, query: exp.Query | None = None, *storage: exp.Expr
     return table_as(made.copy(), query, exp.TemporaryProperty(), *(one.copy() for one in storage))
 
 
-def macro(
-    name: exp.Table, parameters: Sequence[str], query: exp.Query, *properties: exp.Expr
-) -> exp.Create:
-    """Return what lets a query be called like a table, its parameters being columns without a table."""
-    arguments = [exp.to_identifier(parameter) for parameter in parameters]
-    function = exp.UserDefinedFunction(this=name, expressions=arguments, wrapped=True)
-    gives_rows = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
-    said = exp.Properties(expressions=[*properties, gives_rows])
-    return exp.Create(this=function, kind="MACRO", expression=query, properties=said, replace=True)
-
-
 def with_columns(table: exp.Table, types: Mapping[str, exp.DataType]) -> exp.Schema:
     """Return a table with the columns that it is to have, their types by name."""
     columns = [exp.ColumnDef(this=template.name(name), kind=of) for name, of in types.items()]
@@ -165,12 +154,21 @@ class Engine:
     home: str | None = None
     temporary: str | None = None  # the schema that temporary tables are written with; None for none
     opening: Sequence[exp.Expr] = ()  # what a script begins with
+    #: How a script replaces the one before, in one transaction: ``replace`` (CREATE OR REPLACE),
+    #: ``rename`` (built beside it, then renamed) or ``drop``; empty where nothing undoes it.
+    swaps: str = ""
+    #: Rewrites for names that are put in an order: equal ones are equal bytes.
+    ordering: Sequence[Rewrite] = ()
+    drops_several: bool = False  # whether DROP takes several names
+    #: What its printed queries may leave out, of :data:`gam_db.composing.brief.FORMS`.
+    brief: Sequence[str] = field(default=(), hash=False)
     condition_note: str = ""  # what is said beside a condition of the user's that the engine refuses
     flow_hint: bool = False  # whether a WITH entry can be marked NOT MATERIALIZED
     newest_of: int = 0  # among fewer rows LAST_VALUE(... IGNORE NULLS) gives the newest of a kind
     reads_files: bool = False  # whether a Parquet or CSV path can stand in FROM
     unpivots: bool = False  # whether UNPIVOT INCLUDE NULLS is known
-    macros: bool = False  # whether a script may define table macros
+    #: Defines a function (its name, a view) of one signal of the view.
+    of_signal: Callable[[exp.Table, exp.Table], exp.Create] | None = None
     oldest: str | None = None  # the oldest version that is accepted; None where gam-db does not connect
     extra: str | None = None  # of this package, that installs its driver; None for none
     transactions: bool = True  # whether statements can be undone together
@@ -344,6 +342,10 @@ class Engine:
                 _TEXTS.clear()
             text = _TEXTS[key] = self._written(tree, pretty)
         return text
+
+    def unordered(self) -> "Engine":
+        """Return the engine for queries that compare names, and put them in no order."""
+        return replace(self, rewrites=[one for one in self.rewrites if one not in self.ordering])
 
     def beginning(self) -> str:
         """Return what a script begins with; empty where that is nothing."""

@@ -3,8 +3,6 @@
 from sqlglot import exp
 from sqlglot.dialects.dialect import Dialect
 
-from gam_db.composing import template
-
 
 def strip_null_order(tree: exp.Expr, dialect: Dialect) -> exp.Expr:
     """Leave the order of NULLs to the engine.
@@ -48,11 +46,16 @@ def at_home(tree: exp.Expr, home: str) -> exp.Expr:
     """Write the schema of tables that name none, so that nothing is looked up on a path."""
     for table in tree.find_all(exp.Table):
         if isinstance(table.this, exp.Identifier) and not table.db and not _is_entry(table):
-            table.set("db", template.name(home))
+            table.set("db", _schema(home))
     for comment in tree.find_all(exp.Comment):
         if isinstance(comment.this, exp.Column) and not comment.this.db:
-            comment.this.set("db", template.name(home))
+            comment.this.set("db", _schema(home))
     return tree
+
+
+def _schema(name: str) -> exp.Identifier:
+    """Return the name of a schema, quoted unless that changes nothing."""
+    return exp.to_identifier(name, quoted=name != "public")
 
 
 def _is_entry(table: exp.Table) -> bool:

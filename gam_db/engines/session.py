@@ -16,8 +16,9 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.composing import template
-from gam_db.engines.base import REFUSES, macro
+from gam_db.engines.base import REFUSES
 from gam_db.engines.driver import Driver
+from gam_db.engines.functions import macro
 from gam_db.engines.refusals import CONFLICT as CONFLICT
 from gam_db.engines.refusals import OPEN, first_line
 from gam_db.errors import EngineError, LostConnectionError, SourceError, StatementError, nearest, wrong

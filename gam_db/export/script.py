@@ -5,40 +5,38 @@ tables for what calibration found and a plain view over the live source. This mo
 script holds and in which order; it needs no connection and no driver.
 """
 
-import dataclasses
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
+from functools import partial
 
 import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.clock import TimeKind, looks_like_calendar
 from gam_db.composing import template
+from gam_db.composing.layout import commented
 from gam_db.composing.pipeline import Pipeline
 from gam_db.engines import engine_named
-from gam_db.engines.base import Engine, macro
+from gam_db.engines.base import Engine
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
+from gam_db.export.printing import OF_SIGNAL, Script
 from gam_db.method import Method, pipeline
+from gam_db.method.printed import PARTS, printed_pipeline
 from gam_db.reading.ahead import latest_live
 from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import Parameters
+from gam_db.settings.parameters import ROBUST, Parameters
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import (
-    ONLY_ASSET,
     AnySource,
     Programs,
-    Source,
     WideSource,
     declared_kind,
     is_file,
-    named_by,
-    parsed_condition,
     shown_relation,
     table_names,
 )
 
 FORMS = ("exact", "view")
-HEALTH_OF = ("asset_name", "channel_name")
 
 #: Tables of the view form that only its own script needs: small steps that several statements read. As
 #: steps of a query they would be spelled out, and on some engines planned, once for each reader.
@@ -60,6 +58,7 @@ def render(
     calibration: Calibration | None = None,
     prefix: str = "gam_live_",
     schema: str | None = None,
+    without: Collection[str] | None = None,
 ) -> str:
     """Return the complete SQL script of a form for an engine.
 
@@ -81,9 +80,16 @@ def render(
         schema: where they lie; None for the current one, on PostgreSQL for ``public``: its script looks
             no name up on the path, so that nobody else's function or operator runs.
 
+        without: what is left out of the view form: "certificate" (with it all that judges), "curve" (how
+            much calibration is needed) or "probe" (what would be seen). Default: nothing; where the
+            range is that of all samples, as in the paper, the curve and the probe.
+
     Raises:
         UserError: the form or engine is unknown, or the source cannot be read there.
     """
+    if unknown := set(without or ()) - set(PARTS):
+        part = min(unknown)
+        raise ParameterError(f"There is no part {part!r}{nearest(part, PARTS)}")
     if form not in FORMS:
         raise ParameterError(f"There is no form {form!r}{nearest(form, FORMS)}")
     parameters, calibration = parameters or Parameters(), calibration or Calibration()
@@ -93,12 +99,9 @@ def render(
     source, kind, found, relation, is_whole = _looked_at(source, parameters, calibration, chosen)
     programs = None if source.program is None else Programs(source.program, is_whole is True)
     method = Method(parameters, calibration, kind, programs=programs)
-    steps = _steps(method, source, relation, chosen)
     head = [
-        f"gam-db, form {form}, for {chosen.name}. {_described(parameters)}",
+        _described(parameters),
         f"Time: {kind.value}" + ("." if found else ", assumed; say time_kind='timestamp' if it is not."),
-        "A cell is novel if healthy operation never visited it; the health indicator is the share of "
-        "novel vectors among the last W scored ones.",
     ]
     if programs is not None and is_whole is None:
         head.append(f"Programs are numbered by their texts, though {programs.column} may hold numbers.")
@@ -109,13 +112,6 @@ def render(
         and isinstance(relation, exp.Table)
     ):
         begin += f"{chosen.text(chosen.guard(relation, source.time))};\n"
-    if form == "exact":
-        query = chosen.text(steps.query("health_indicator", commented=True), pretty=True)
-        return f"{_commented(head)}\n{begin}{query};\n"
-    only = None
-    if chosen.macros:
-        named = dataclasses.replace(source, where=_only_channel(source))
-        only = _steps(method, named, relation, chosen)
 
     def place(name: str) -> exp.Table:
         table = exp.to_table(f"{prefix}{name}")
@@ -123,16 +119,31 @@ def render(
             table.set("db", template.name(schema))
         return table
 
-    parts = _view_statements(steps, only, chosen, place)
+    if not method.pools and method.programs is None:
+        rows = chosen.readings(source, relation, kind, until=latest_live(source, chosen, kind))
+        if without is None:
+            is_paper = all(one.range != ROBUST for one in parameters.variants())
+            without = ("curve", "probe") if is_paper else ()
+        parts = [part for part in PARTS if part not in without and "certificate" not in without]
+        instant = partial(chosen.instant_of, kind)
+        steps = printed_pipeline(method, rows, instant, parts, "frames" in chosen.brief)
+        script = Script(steps, chosen, parts)
+        body = script.exact() if form == "exact" else script.view(place)
+        return f"{_commented(head)}\n{begin}\n{body}"
+    steps = _steps(method, source, relation, chosen)
+    if form == "exact":
+        query = chosen.text(steps.query("health_indicator", commented=True), pretty=True)
+        return f"{_commented(head)}\n{begin}{query};\n"
+    statements = _view_statements(steps, chosen, place)
     body = "\n".join(
         f"{_commented(comment.splitlines())}\n{chosen.text(statement, pretty=True)};\n"
-        for comment, statement in parts
+        for comment, statement in statements
     )
     return f"{_commented(head)}\n{begin}\n{body}"
 
 
 def _view_statements(
-    steps: Pipeline, only: Pipeline | None, engine: Engine, place: Callable[[str], exp.Table]
+    steps: Pipeline, engine: Engine, place: Callable[[str], exp.Table]
 ) -> Iterator[tuple[str, exp.Expr]]:
     """Give the statements of the view form in order, each with its comment."""
     names = [name for name in steps.steps if _table_of(name) in (*_PASSING, *_LASTING)]
@@ -162,11 +173,8 @@ def _view_statements(
             steps.steps["program_summary"].made.comment,
             exp.Create(this=place("program_summary"), kind="VIEW", expression=summary),
         )
-    if only is not None:
-        yield (
-            "One channel alone, which reads only its own rows of the source.",
-            macro(place("health_of"), HEALTH_OF, only.query("health_indicator", live, commented=True)),
-        )
+    if engine.of_signal is not None and engine.swaps == "replace":
+        yield OF_SIGNAL, engine.of_signal(place("health_of"), place("health"))
     for name in names:
         if _table_of(name) in _PASSING:
             yield f"{name} is no longer needed.", _drop("TABLE", place(name))
@@ -180,18 +188,6 @@ def _table_of(step: str) -> str:
 
 def _drop(kind: str, table: exp.Table) -> exp.Drop:
     return exp.Drop(tables=[table.copy()], kind=kind, exists=True)
-
-
-def _only_channel(source: AnySource) -> exp.Expr:
-    """Return the condition of the table macro: the user's own, and the names it is called with."""
-    conditions = [parsed_condition(source.where)]
-    names = [named_by(source.asset, ONLY_ASSET)]
-    if isinstance(source, Source):
-        names.append(named_by(source.channel, source.value))
-    for name, argument in zip(names, HEALTH_OF, strict=False):
-        asked = exp.column(exp.to_identifier(argument))
-        conditions.append(exp.EQ(this=exp.cast(name, "VARCHAR"), expression=asked))
-    return exp.paren(exp.and_(*conditions))
 
 
 def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine) -> Pipeline:
@@ -242,13 +238,14 @@ def _looked_at(
 
 def _described(parameters: Parameters) -> str:
     shown = [
-        f"{name} = {value}"
+        f"{name}\xa0=\xa0{value}"
         for name in settings_of(Parameters)
-        if (value := getattr(parameters, name)) is not None
+        if (value := getattr(parameters, name)) is not None and name != "stride"
     ]
     others = f"; {len(parameters.overrides)} overrides" if parameters.overrides else ""
-    return f"Parameters: {', '.join(shown)}{others}."
+    return f"{', '.join(shown)}{others}."
 
 
 def _commented(lines: list[str]) -> str:
-    return "\n".join(f"-- {line}".rstrip() for text in lines for line in text.splitlines() or [""])
+    texts = (of for text in lines for of in text.splitlines() or [""])
+    return "\n".join(line for of in texts for line in commented(of) or ["--"])

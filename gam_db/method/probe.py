@@ -74,10 +74,20 @@ def add_probe(one: OfSet, samples: str = "samples") -> None:
     asked, delays = paces(setting.m, setting.tau), probed_delays(setting)
     add_earlier(one, "probe_", samples, delays[1:])
     one.add("probe/usual")
-    rows = [{"change_no": number, **_slots(of, asked)} for number, of in enumerate(CHANGES, start=1)]
+    rows = [{"change_no": number, **slots_of(of, asked)} for number, of in enumerate(CHANGES, start=1)]
     add_stacked(one.steps, "probe/changes", rows, one.named("changes"))
+    one.add("probe/changed", changed_slots(one, asked))
+    one.add("probe/probe")
+    limit = limit_of(exp.column("target_floor", table="scale"))
+    tables = {"spread": "pool_spread"} if one.method.pools else {}
+    one.add("probe/sight", {"hi_limit": limit}, tables=tables)
+
+
+def changed_slots(one: OfSet, asked: Mapping[int, Sequence[int]]) -> dict[str, template.Slot]:
+    """Return the slots of probe/changed.sql, of the delays at each pace."""
+    setting = one.setting
     coordinates = [f"y_{k}" for k in range(setting.m)]
-    slots: dict[str, template.Slot] = {
+    return {
         "samples": [
             *(exp.alias_(_sample(setting, k, asked), name) for k, name in enumerate(coordinates)),
             *(exp.alias_(exp.column(of.name, table="vector"), of.name) for of in numbers(one)),
@@ -91,11 +101,6 @@ def add_probe(one: OfSet, samples: str = "samples") -> None:
         ],
         **keyed(one),
     }
-    one.add("probe/changed", slots)
-    one.add("probe/probe")
-    limit = limit_of(exp.column("target_floor", table="scale"))
-    tables = {"spread": "pool_spread"} if one.method.pools else {}
-    one.add("probe/sight", {"hi_limit": limit}, tables=tables)
 
 
 def add_certified(steps: Pipeline, has_pools: bool, has_programs: bool = False) -> None:
@@ -130,7 +135,8 @@ def _sample(setting: Parameters, k: int, delays: Mapping[int, Sequence[int]]) ->
     return template.fill("probe/sample", {"usual": usual, "paced": paced})
 
 
-def _slots(of: Change, delays: Mapping[int, Sequence[int]]) -> dict[str, Any]:
+def slots_of(of: Change, delays: Mapping[int, Sequence[int]]) -> dict[str, Any]:
+    """Return the slots of probe/changes.sql, but for the number of the change."""
     slots = of._asdict()
     pace = of.pace if of.pace in delays else None
     name = template.text(slots.pop("name"))

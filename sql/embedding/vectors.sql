@@ -1,5 +1,5 @@
--- Vectors: v(t) = [x(t), x(t - tau), ..., x(t - (m-1) tau)] (Eq. 1) in codes, as the key of its cell; delays,
--- position and all that is asked of the samples before, in one window pass.
+-- Vectors: v(t) = [x(t), x(t - tau), ..., x(t - (m - 1) tau)] in codes, as a cell's key (Eq. 1). Delays,
+-- position and all that is asked of the samples before are made in one window pass.
 -- Reads:  codes
 -- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing;
 --         position counts the samples of the channel up to it; context_time is that of the oldest sample of

@@ -39,7 +39,7 @@ LIST = Path(__file__).with_name("mutants.txt")
 FOLDERS = (
     *("source", "support", "embedding", "score", "health", "calibration", "certificate", "stored"),
     *("streams", "census", "rowids", "arrays", "judgement", "report", "alarms", "probe", "range"),
-    *("automatic", "program"),
+    *("automatic", "program", "script"),
 )
 
 #: Files of ``sql/`` -> the engine that runs them; DuckDB runs all others.
@@ -82,6 +82,7 @@ _ABOUT = {
     "stored/monitor/*": "test_run_sql",
     "stored/alarms/pending_runs": "test_run_sql",
     "streams/*": "test_streaming",
+    "script/*": "test_spec[script]",
     "stored/*program*": "test_program_histories",
     "source/unpivoted": "test_wide",
     "source/misfits": "test_files",

@@ -32,6 +32,7 @@ ROOMS = {
     "automatic": "Which delay, bins and window calibration chooses (both sides, section 4).",
     "probe": "What the indicator would show if a machine changed (both sides, section 2).",
     "program": "Which program a machine runs, where a column says so (both sides, section 5).",
+    "script": "What a script spells out of the method: channels are called by their names.",
     "judgement": "When a channel is above its limit, and its status: the same in every form.",
     "alarms": "Judgements, the limits they are judged by, and episodes (alarms, sections 2 to 4).",
     "stored/state": "The stored form: what is there of monitors, channels, versions and runs.",

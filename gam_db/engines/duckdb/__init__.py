@@ -7,6 +7,7 @@ from sqlglot import exp
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, Texts, formula, settings
 from gam_db.engines.duckdb.reading import count_of_text, instant_of_text, is_zoned, number_of, retyped
+from gam_db.engines.functions import SIGNAL, macro, of_one_signal
 from gam_db.engines.rewrites import compare_by_bytes
 from gam_db.engines.types import Types
 from gam_db.method.bits import Bits
@@ -44,8 +45,14 @@ def counted_as_doubles(tree: exp.Expr) -> exp.Expr:
     return tree
 
 
+def of_signal(name: exp.Table, view: exp.Table) -> exp.Create:
+    """Return the macro that gives the rows of one signal of a view."""
+    return macro(name, SIGNAL, of_one_signal(view))
+
+
 ENGINE = Engine.named(
     "duckdb",
+    of_signal=of_signal,
     delays_by_column=True,
     working=settings({"TimeZone": "UTC"}),
     types=Types("duckdb", (("TIMESTAMPTZ_NS", "TIMESTAMPTZ(9)"),)),

@@ -9,7 +9,8 @@ from sqlglot import exp
 from gam_db import data
 from gam_db.composing import template
 from gam_db.engines.base import Engine, settings
-from gam_db.engines.rewrites import compare_by_bytes
+from gam_db.engines.functions import SIGNAL, of_one_signal
+from gam_db.engines.rewrites import at_home, compare_by_bytes
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
 
@@ -23,9 +24,14 @@ def keep_small_steps(tree: exp.Expr) -> exp.Expr:
     Cause: an entry read once is put in the place where it is read, and the planner, which knows
     nothing of the rows of a WITH entry, expects one row and joins by nested loops. Symptom: the exact
     form learns the support anew for every scored vector; 100,000 readings take half a minute.
+    An entry of a view that is read once is left alone: its reader's condition is to reach the rows.
     """
+    is_view = isinstance(tree, exp.Create) and tree.kind == "VIEW"
+    read = Counter(table.name for table in tree.find_all(exp.Table)) if is_view else Counter()
     for entry in tree.find_all(exp.CTE):
-        if entry.args.get("materialized") is None:
+        if is_view and read[entry.alias] < 2:
+            continue
+        if entry.args.get("materialized") is None and entry.this.find(exp.Table):
             entry.set("materialized", True)
     return tree
 
@@ -114,6 +120,30 @@ PATH = "pg_catalog, pg_temp"
 
 _AT_WORK = data.table("gam_db.engines.postgres", "postgres.toml")
 
+
+def of_signal(name: exp.Table, view: exp.Table) -> exp.Create:
+    """Return the function that gives the rows of one signal of a view, with the rights of its caller."""
+    arguments = [
+        exp.ColumnDef(this=exp.to_identifier(of), kind=exp.DataType.build("TEXT")) for of in SIGNAL
+    ]
+    row = exp.DataType(this=exp.DType.USERDEFINED, kind=at_home(view.copy(), ENGINE.home or ""))
+    path = exp.SetItem(this=exp.column("search_path").eq(exp.var(PATH)))
+    properties = [
+        exp.ReturnsProperty(this=exp.ColumnDef(this=exp.var("SETOF"), kind=row)),
+        exp.LanguageProperty(this=exp.var("sql")),
+        exp.StabilityProperty(this=exp.Literal.string("STABLE")),
+        exp.SetConfigProperty(this=exp.Set(expressions=[path])),
+    ]
+    return exp.Create(
+        this=exp.UserDefinedFunction(this=name, expressions=arguments, wrapped=True),
+        kind="FUNCTION",
+        properties=exp.Properties(expressions=properties),
+        expression=template.text(ENGINE.text(of_one_signal(view))),
+    )
+
+
+_BY_BYTES = partial(compare_by_bytes, BYTES)
+
 ENGINE = Engine.named(
     "postgres",
     working=settings(_AT_WORK["settings"] | _AT_WORK["planned_alone"]),
@@ -121,7 +151,9 @@ ENGINE = Engine.named(
     delays_by_column=True,
     types=Types("postgres", (("citext", "text"),)),
     storage=Storage(column=_by_bytes, index=True),
+    of_signal=of_signal,
     opening=(exp.Command(this="SET", expression=f"search_path TO {PATH}"),),
     most_in_set=_MOST_IN_SET,
-    rewrites=(partial(compare_by_bytes, BYTES), keep_small_steps, fence_reads, fence_sets),
+    rewrites=(_BY_BYTES, keep_small_steps, fence_reads, fence_sets),
+    ordering=(_BY_BYTES,),  # a column of another collation than its index's finds nothing in it
 )

@@ -1,0 +1,141 @@
+"""Folding: a query without what its constants decide.
+
+A condition that always holds, a case that cannot be and a sum of two numbers are put in fewer words, on
+the tree; the rows stay the same.
+"""
+
+from collections.abc import Callable, Mapping
+
+from sqlglot import exp
+
+_COMPARED: Mapping[type[exp.Expr], Callable[[int, int], bool]] = {
+    exp.EQ: lambda a, b: a == b,
+    exp.NEQ: lambda a, b: a != b,
+    exp.LT: lambda a, b: a < b,
+    exp.LTE: lambda a, b: a <= b,
+    exp.GT: lambda a, b: a > b,
+    exp.GTE: lambda a, b: a >= b,
+}
+
+
+def is_constant(node: exp.Expr) -> bool:
+    """Tell whether a node has one value, whatever the row."""
+    if isinstance(node, (exp.Cast, exp.Neg, exp.Paren)):
+        return is_constant(node.this)
+    return isinstance(node, (exp.Literal, exp.Null, exp.Boolean))
+
+
+def folded(query: exp.Query) -> exp.Query:
+    """Return a query without conditions and cases that constants decide."""
+    for node in reversed(list(query.walk())):
+        if node is not query and (made := _fold(node)) is not node:
+            node.replace(made)
+    for select in query.find_all(exp.Select):
+        where = select.args.get("where")
+        if where is not None:
+            where.set("this", known_there(where.this))
+        if where is not None and where.this == exp.true():
+            select.set("where", None)
+    return query
+
+
+def known_there(condition: exp.Expr) -> exp.Expr:
+    """Return a condition without asking whether a column is there of which more is asked."""
+    parts: list[exp.Expr] = []
+    pending = [condition]
+    while pending:
+        part = pending.pop(0).unnest()
+        if isinstance(part, exp.And):
+            pending[:0] = [part.this, part.expression]
+        else:
+            parts.append(part)
+    compared = {
+        part.this.sql() for part in parts if isinstance(part, (exp.LTE, exp.GTE, exp.EQ, exp.Between))
+    }
+    kept = [
+        part
+        for part in parts
+        if not (
+            isinstance(part, exp.Not)
+            and isinstance(part.this, exp.Is)
+            and part.this.this.sql() in compared
+        )
+    ]
+    return condition if len(kept) == len(parts) else exp.and_(*kept, copy=False)
+
+
+def _fold(node: exp.Expr) -> exp.Expr:
+    if isinstance(node, exp.Paren) and isinstance(node.this, _WHOLE):
+        return node.this
+    if (
+        isinstance(node, exp.Paren)
+        and isinstance(node.this, exp.Predicate)
+        and _is_condition(node.parent)
+    ):
+        return node.this
+    if isinstance(node, exp.Paren) and type(node.parent) in _COMPARED and isinstance(node.this, _ADDED):
+        return node.this
+    if isinstance(node, (exp.Add, exp.Mul)):
+        return _counted(node)
+    if isinstance(node, exp.Is) and isinstance(node.expression, exp.Null) and is_constant(node.this):
+        return exp.Boolean(this=bool(node.this.find(exp.Null)))
+    if isinstance(node, exp.Not) and isinstance(node.this, exp.Boolean):
+        return exp.Boolean(this=not node.this.this)
+    if compared := _COMPARED.get(type(node)):
+        left, right = _integer(node.this), _integer(node.expression)
+        if left is not None and right is not None:
+            return exp.Boolean(this=compared(left, right))
+    if isinstance(node, (exp.And, exp.Or)):
+        neutral = exp.Boolean(this=isinstance(node, exp.And))
+        sides = [side for side in (node.this, node.expression) if side != neutral]
+        if any(isinstance(side, exp.Boolean) for side in sides):
+            return exp.Boolean(this=not neutral.this)
+        return neutral if not sides else sides[0] if len(sides) == 1 else node
+    if isinstance(node, exp.Case) and node.this is None:
+        return _fold_case(node)
+    return node
+
+
+#: What comes before a comparison.
+_ADDED = (exp.Add, exp.Sub, exp.Mul, exp.Div)
+
+
+def _counted(node: exp.Add | exp.Mul) -> exp.Expr:
+    """Return the number that two small whole numbers make."""
+    left, right = _integer(node.this), _integer(node.expression)
+    most = 2**15 if isinstance(node, exp.Mul) or (left or 0) < 2**31 else 2**62
+    if left is None or right is None or not 0 <= left < most or not 0 <= right < 2**15:
+        return node
+    return exp.Literal.number(left + right if isinstance(node, exp.Add) else left * right)
+
+
+#: What needs no brackets.
+_WHOLE = (exp.Boolean, exp.Null, exp.Literal, exp.Column, exp.Paren, exp.Func)
+
+
+def _is_condition(node: exp.Expr | None) -> bool:
+    """Tell whether what stands in a node is a condition by itself."""
+    return isinstance(node, (exp.And, exp.Or, exp.Where, exp.If, exp.Join))
+
+
+def _fold_case(node: exp.Case) -> exp.Expr:
+    cases = [case for case in node.args["ifs"] if case.this != exp.false()]
+    last = next((place for place, case in enumerate(cases) if case.this == exp.true()), None)
+    default = node.args.get("default")
+    if last is not None:
+        default, cases = cases[last].args["true"], cases[:last]
+    if not cases:
+        return default or exp.Null()
+    node.set("ifs", cases)
+    node.set("default", None if isinstance(default, exp.Null) else default)
+    return node
+
+
+def _integer(node: exp.Expr) -> int | None:
+    if isinstance(node, exp.Cast) and node.to.is_type("INT", "BIGINT", "SMALLINT"):
+        return _integer(node.this)
+    if isinstance(node, exp.Neg):
+        number = _integer(node.this)
+        return None if number is None else -number
+    is_number = isinstance(node, exp.Literal) and not node.is_string and node.name.isdigit()
+    return int(node.name) if is_number else None

@@ -1,0 +1,324 @@
+"""Tidying: the steps of a script without what its settings make needless.
+
+Steps are written for all settings. This module takes out of them, on their trees, what some settings
+leave without effect: columns that nobody reads, constants, joins to a single row, cases that cannot be.
+The rows stay the same. Channels are called by their names, not by numbers.
+"""
+
+from collections import defaultdict
+from collections.abc import Collection, Container, Iterator, Mapping
+
+from sqlglot import exp
+
+from gam_db.composing.folding import folded, is_constant, known_there
+from gam_db.errors import InternalError
+
+Queries = dict[str, exp.Query]
+
+#: What numbers a channel, and what it is called.
+IDS, NAMES = ("channel_id", "support_id"), ("asset", "channel")
+
+
+def tidied(queries: Mapping[str, exp.Query], results: Collection[str]) -> Queries:
+    """Return the steps that the results need, tidied, in their order.
+
+    Args:
+        queries: by name; a table called as a step before is that step.
+        results: steps all of whose columns are wanted.
+    """
+    found: Queries = {name: query.copy() for name, query in queries.items()}
+    constants: dict[str, dict[str, exp.Expr]] = {}
+    for name, query in found.items():
+        for select in selects_of(query):
+            _name(select)
+            _qualify(select, found)
+            _inline(select, constants)
+        found[name] = query = folded(query)
+        for select in selects_of(query):
+            _drop_rows(select, found)
+        constants[name] = _constants(query)
+    _keep_needed(found, results)
+    for query in found.values():
+        for select in selects_of(query):
+            _merge(select)
+    _keep_needed(found, results)
+    for query in found.values():
+        for select in selects_of(query):
+            _shorten(select)
+    return found
+
+
+def _keep_needed(found: Queries, results: Collection[str]) -> None:
+    """Drop steps and columns that no result needs."""
+    needed: dict[str, set[str] | None] = dict.fromkeys(results)
+    for name in reversed(list(found)):
+        if name in needed:
+            _prune(found[name], needed[name], found, needed)
+        else:
+            del found[name]
+
+
+def selects_of(query: exp.Expr) -> list[exp.Select]:
+    """Return the selects of a query, inner ones first."""
+    return list(reversed(list(query.find_all(exp.Select))))
+
+
+def sources_of(select: exp.Select) -> list[tuple[exp.Expr, bool]]:
+    """Return what a select reads, and whether a row of it is always there."""
+    first = select.args.get("from_")
+    found = [] if first is None else [(first.this, True)]
+    joins = select.args.get("joins") or ()
+    return found + [(join.this, join.side != "LEFT") for join in joins]
+
+
+def own_columns(select: exp.Select) -> Iterator[exp.Column]:
+    """Give the columns that a select names itself, not those of a select in it."""
+    inner = {id(source) for source, _ in sources_of(select)}
+    for node in select.walk(prune=lambda node: id(node) in inner):
+        if isinstance(node, exp.Column):
+            yield node
+
+
+def query_of(source: exp.Expr, steps: Mapping[str, exp.Query]) -> exp.Query | None:
+    """Return the query whose rows a source has; None for a table of the user's."""
+    if isinstance(source, exp.Subquery):
+        query: exp.Query = source.this
+        return query
+    step = step_of(source, steps)
+    return None if step is None else steps[step]
+
+
+def _qualify(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
+    """Say of each column which of several sources it is of."""
+    sources = [source for source, _ in sources_of(select)]
+    if len(sources) < 2:
+        return
+    for column in own_columns(select):
+        if not column.table:
+            for source in sources:
+                query = query_of(source, steps)
+                if query is not None and column.name in query.named_selects:
+                    column.set("table", exp.to_identifier(source.alias_or_name))
+                    break
+
+
+def _source_of(select: exp.Select, column: exp.Column) -> exp.Expr | None:
+    sources = [source for source, _ in sources_of(select)]
+    if not column.table:
+        return sources[0] if len(sources) == 1 else None
+    return next((source for source in sources if source.alias_or_name == column.table), None)
+
+
+def step_of(source: exp.Expr, steps: Container[str]) -> str | None:
+    """Return the step that a table is, None for a table of the user's, whose name is quoted."""
+    if not isinstance(source, exp.Table) or not isinstance(source.this, exp.Identifier):
+        return None
+    is_step = not source.this.quoted and not source.db and source.name in steps
+    return source.name if is_step else None
+
+
+def _constants(query: exp.Expr) -> dict[str, exp.Expr]:
+    """Return the columns of a query that have one value."""
+    if not isinstance(query, exp.Select):
+        return {}
+    return {
+        part.alias: part.this
+        for part in query.expressions
+        if isinstance(part, exp.Alias) and is_constant(part.this)
+    }
+
+
+def _inline(select: exp.Select, constants: Mapping[str, Mapping[str, exp.Expr]]) -> None:
+    """Put the constants that a select reads in the place of their columns."""
+    known: dict[int, Mapping[str, exp.Expr]] = {}
+    for source, is_there in sources_of(select):
+        if is_there and (step := step_of(source, constants)):
+            known[id(source)] = constants[step]
+        elif is_there and isinstance(source, exp.Subquery):
+            known[id(source)] = _constants(source.this)
+    for column in list(own_columns(select)):
+        value = known.get(id(_source_of(select, column)), {}).get(column.name)
+        if value is None:
+            continue
+        parent = column.parent
+        listed = parent if isinstance(parent, exp.Ordered) else column
+        holder, key = listed.parent, listed.arg_key or ""
+        if isinstance(holder, (exp.Group, exp.Order)) or key == "partition_by":
+            if holder is not None and len(holder.args[key]) > 1:
+                listed.pop()
+        elif parent is select and column.arg_key == "expressions":
+            column.replace(exp.alias_(value.copy(), column.name))
+        else:
+            column.replace(value.copy())
+
+
+def inlined(consumer: exp.Query, name: str, query: exp.Query) -> None:
+    """Let the only reader of a step read its query, in place."""
+    for table in list(consumer.find_all(exp.Table)):
+        if step_of(table, (name,)):
+            table.replace(
+                exp.Subquery(
+                    this=query, alias=exp.TableAlias(this=exp.to_identifier(table.alias_or_name))
+                )
+            )
+    for select in selects_of(consumer):
+        _merge(select)
+        _shorten(select)
+
+
+def _drop_rows(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
+    """Drop joins to a step that is a single row of which nothing is read."""
+    read = {column.table for column in own_columns(select)}
+    for join in list(select.args.get("joins") or ()):
+        name = step_of(join.this, steps)
+        step = None if name is None else steps[name]
+        is_row = isinstance(step, exp.Select) and step.args.get("from_") is None
+        condition = join.args.get("on")
+        if is_row and join.this.alias_or_name not in read and condition in (None, exp.true()):
+            join.pop()
+
+
+def _merge(select: exp.Select) -> None:
+    """Let a select read what a select in it reads, if that one only picks columns."""
+    sources = sources_of(select)
+    if len(sources) != 1 or not isinstance(sources[0][0], exp.Subquery):
+        return
+    inner = sources[0][0].this
+    if not isinstance(inner, exp.Select) or any(
+        inner.args.get(key) for key in ("group", "distinct", "having", "order", "limit", "windows")
+    ):
+        return
+    parts = {part.alias_or_name: part.unalias() for part in inner.expressions}
+    if not all(isinstance(part, exp.Column) or is_constant(part) for part in parts.values()):
+        return
+    first = inner.args.get("from_")
+    if first is None or first.this.alias_or_name == "":
+        return
+    single = len(sources_of(inner)) == 1
+    for column in list(own_columns(select)):
+        part = parts.get(column.name)
+        if part is None:
+            return
+    for column in list(own_columns(select)):
+        made = parts[column.name].copy()
+        if single and isinstance(made, exp.Column) and not made.table:
+            made.set("table", exp.to_identifier(first.this.alias_or_name))
+        if (
+            column.parent is select
+            and column.arg_key == "expressions"
+            and made.alias_or_name != column.name
+        ):
+            made = exp.alias_(made, column.name)
+        column.replace(made)
+    if single:
+        for column in own_columns(inner):
+            if not column.table:
+                column.set("table", exp.to_identifier(first.this.alias_or_name))
+    select.set("from_", first)
+    select.set("joins", inner.args.get("joins"))
+    where = inner.args.get("where")
+    if where is not None:
+        own = select.args.get("where")
+        both = where.this if own is None else exp.and_(where.this, own.this)
+        select.set("where", exp.Where(this=known_there(both)))
+
+
+def _name(select: exp.Select) -> None:
+    """Call channels by their names where a select has their numbers."""
+    parts: dict[str, exp.Expr] = {}
+    for part in select.expressions:
+        column = part.unalias()
+        if part.alias_or_name not in IDS:
+            parts.setdefault(part.alias_or_name, part)
+        elif isinstance(column, exp.Column):
+            for name in NAMES:
+                named = exp.column(name, table=column.table or None)
+                parts.setdefault(name, exp.alias_(named, name) if column.table else named)
+    select.set("expressions", list(parts.values()))
+    for column in list(own_columns(select)):
+        if column.name not in IDS:
+            continue
+        parent = column.parent
+        if isinstance(parent, exp.EQ):
+            other = parent.expression if parent.this is column else parent.this
+            if not isinstance(other, exp.Column) or other.name not in IDS:
+                raise InternalError(f"A channel's number is no name here: {select.sql()}")
+            pairs = [
+                exp.column(name, table=parent.this.table or None).eq(
+                    exp.column(name, table=parent.expression.table or None)
+                )
+                for name in NAMES
+            ]
+            parent.replace(exp.and_(*pairs))
+            continue
+        listed = parent if isinstance(parent, exp.Ordered) else column
+        holder, key = listed.parent, listed.arg_key or ""
+        if holder is None or not isinstance(holder.args.get(key), list):
+            raise InternalError(f"A channel's number is no name here: {select.sql()}")
+        members: list[exp.Expr] = []
+        for member in holder.args[key]:
+            if member is not listed:
+                members.append(member)
+                continue
+            for name in NAMES:
+                node: exp.Expr = exp.column(name, table=column.table or None)
+                members.append(exp.Ordered(this=node) if isinstance(parent, exp.Ordered) else node)
+        holder.set(key, list({member.sql(): member for member in members}.values()))
+    for window in select.find_all(exp.Window):
+        order = window.args.get("order")
+        if order is not None:
+            parted = {part.sql() for part in window.args.get("partition_by") or ()}
+            kept = [part for part in order.expressions if part.this.sql() not in parted]
+            order.set("expressions", kept)
+
+
+def _prune(
+    query: exp.Expr,
+    wanted: set[str] | None,
+    steps: Mapping[str, exp.Query],
+    needed: dict[str, set[str] | None],
+) -> None:
+    """Drop the columns that are not wanted, and note which ones of other steps are read."""
+    if isinstance(query, exp.SetOperation):
+        _prune(query.this, wanted, steps, needed)
+        _prune(query.expression, wanted, steps, needed)
+        return
+    assert isinstance(query, exp.Select)
+    if wanted is not None and not query.args.get("distinct"):
+        kept = [part for part in query.expressions if part.alias_or_name in wanted]
+        query.set("expressions", kept or query.expressions[:1])
+    read: dict[int, set[str]] = defaultdict(set)
+    for column in own_columns(query):
+        source = _source_of(query, column)
+        if source is None:
+            raise InternalError(f"Nothing read has {column.sql()}: {query.sql()}")
+        read[id(source)].add(column.name)
+    for source, _ in sources_of(query):
+        columns = read[id(source)]
+        if isinstance(source, exp.Subquery):
+            _prune(source.this, columns, steps, needed)
+        elif step := step_of(source, steps):
+            before = needed.setdefault(step, set())
+            if before is not None:
+                before |= columns
+
+
+def _shorten(select: exp.Select) -> None:
+    """Drop names that go without saying."""
+    sources = [source for source, _ in sources_of(select)]
+    if len(sources) == 1:
+        other = {
+            part.alias_or_name
+            for part in select.expressions
+            if not (isinstance(part.unalias(), exp.Column) and part.unalias().name == part.alias_or_name)
+        }
+        columns = list(own_columns(select))
+        for column in columns:
+            if column.name not in other:
+                column.set("table", None)
+        if isinstance(sources[0], exp.Table) and not any(column.table for column in columns):
+            sources[0].set("alias", None)
+    for part in list(select.expressions):
+        named = part.this if isinstance(part, exp.Alias) else None
+        if isinstance(named, exp.Column) and named.name == part.alias and not named.table:
+            part.replace(named)

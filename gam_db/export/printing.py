@@ -1,0 +1,242 @@
+"""Printing: the steps of a script as tables and views, each with a comment.
+
+This module owns which step becomes a table, which a view, and which is spelled out by its only reader.
+"""
+
+import re
+from collections.abc import Callable, Collection, Iterable, Iterator
+
+from sqlglot import exp
+
+from gam_db.composing.brief import shortened
+from gam_db.composing.layout import commented, laid_out
+from gam_db.composing.pipeline import Pipeline, selected_from
+from gam_db.composing.tidy import inlined, own_columns, sources_of, step_of, tidied
+from gam_db.engines.base import Engine
+from gam_db.method.printed import RESULTS
+
+#: Steps that are views over the live source. All others that two steps read are tables.
+VIEWS = (
+    *("samples", "history", "codes", "breaking_codes", "moving_codes", "vectors", "novelty"),
+    *("health_indicator", "health"),
+)
+KEPT = (
+    *("samples", "history", "codes", "breaking_codes", "moving_codes", "vectors", "novelty"),
+    *("channels", "bounds", "visits", "support", "blocks", "support_summary"),
+)
+
+
+#: What ends a sentence of a comment; the first one is printed, without the pages that it names.
+SENTENCE = re.compile(r"(?<=[.?])\s+(?=[A-Z])")
+PAGES = re.compile(r"\s*\([^()]*\bsections? [^()]*\)|, method section \d")
+
+OF_SIGNAL = "One signal."
+
+#: In which order the exact form gives its rows.
+ORDER = ("asset", "channel", "time")
+
+
+class Script:
+    """A script of an engine.
+
+    Args:
+        steps: of :func:`gam_db.method.printed.printed_pipeline`.
+        engine: that it is for.
+        parts: what the script has.
+    """
+
+    def __init__(self, steps: Pipeline, engine: Engine, parts: Collection[str]) -> None:
+        self.steps, self.engine = steps, engine
+        read = steps.steps["readings"].query.find_all(exp.Table)
+        #: Names of tables of the user's, which no step of a WITH list may bear.
+        self.taken = {table.name.lower() for table in read}
+        self.results = [name for name, part in RESULTS.items() if part in parts]
+        #: Without the certificate nothing judges: the view is the indicator alone.
+        self.names = {} if self.results else {"health_indicator": "health"}
+        self.results = self.results or ["health_indicator"]
+
+    def exact(self) -> str:
+        """Return the query of the health indicator, a row per scored vector."""
+        queries = self._tidied(["health_indicator"])
+        query = self._composed("health_indicator", queries, {}, commented=True)
+        query.set("order", exp.Order(expressions=[exp.Ordered(this=exp.column(name)) for name in ORDER]))
+        return f"{self._text(query)};\n"
+
+    def view(self, named: Callable[[str], exp.Table]) -> str:
+        """Return the statements of the view form, whose tables are named so."""
+        return "\n".join(self._statements(named))
+
+    def _tidied(self, results: Collection[str]) -> dict[str, exp.Query]:
+        queries = {name: step.query for name, step in self.steps.steps.items()}
+        found = tidied(queries, results)
+        readers = [reader for reader in found.values() if _reads(reader, "readings")]
+        if len(readers) == 1:
+            inlined(readers[0], "readings", found.pop("readings"))
+        kept = self._kept(found) if self.results == results else list(found)
+        for name in [name for name in found if name not in kept]:
+            readers = [query for query in found.values() if _reads(query, name)]
+            if len(readers) == 1 and _is_all_it_reads(readers[0], name):
+                inlined(readers[0], name, found.pop(name))
+        columns = dict(found)
+        return {name: shortened(query, self.engine.brief, columns) for name, query in found.items()}
+
+    def _statements(self, named: Callable[[str], exp.Table]) -> Iterator[str]:
+        """Give the statements of the view form, in one transaction where that undoes them."""
+        engine, queries = self.engine, self._tidied(self.results)
+        self.engine = engine.unordered()
+        kept = self._kept(queries)
+        passing = self._passing(kept, queries)
+        is_new = engine.swaps == "rename"
+        tables = {name: named(f"{'new_' * is_new}{self.names.get(name, name)}") for name in kept}
+        if is_new and engine.temporary is not None:
+            tables |= {name: exp.to_table(f"{engine.temporary}.{name}") for name in passing}
+        if engine.swaps:
+            yield "BEGIN;"
+        if engine.swaps not in ("rename", "replace"):
+            yield from self._dropped(kept, named, reversed(kept))
+        for name in kept:
+            query = self._composed(name, queries, tables)
+            if self._kind(name) == "VIEW":
+                made = exp.Create(this=tables[name].copy(), kind="VIEW", expression=query)
+            else:
+                made = engine.create_table(tables[name], query)
+            made.set("replace", engine.swaps == "replace")
+            yield f"\n{self._comment(name)}\n{self._text(made)};"
+        yield ""
+        yield from self._dropped(passing, tables.__getitem__, passing, exists=False)
+        if is_new:
+            lasting = [name for name in kept if name not in passing]
+            function = exp.Drop(tables=[named("health_of")], kind="FUNCTION", exists=True)
+            yield f"{engine.text(function)};"
+            yield from self._dropped(lasting, named, reversed(lasting))
+            for name in lasting:
+                renamed = exp.AlterRename(this=exp.to_table(named(name).name))
+                swap = exp.Alter(this=tables[name].copy(), kind=self._kind(name), actions=[renamed])
+                yield f"{engine.text(swap)};"
+        if engine.of_signal is not None:
+            yield f"\n-- {OF_SIGNAL}"
+            yield f"{self._text(engine.of_signal(named('health_of'), named('health')))};"
+        if engine.swaps:
+            yield "COMMIT;"
+        yield ""
+
+    def _dropped(
+        self,
+        names: Collection[str],
+        named: Callable[[str], exp.Table],
+        order: Iterable[str],
+        exists: bool = True,
+    ) -> Iterator[str]:
+        """Give the statements that drop tables and views, views first."""
+        ordered = list(order)
+        for kind in ("VIEW", "TABLE"):
+            tables = [named(name) for name in ordered if self._kind(name) == kind and name in names]
+            if self.engine.drops_several:
+                if tables:
+                    drop = exp.Drop(tables=tables, kind=kind, exists=exists)
+                    yield f"{self._text(drop)};"
+                continue
+            for table in tables:
+                yield f"{self.engine.text(exp.Drop(tables=[table], kind=kind, exists=exists))};"
+
+    def _passing(self, kept: list[str], queries: dict[str, exp.Query]) -> list[str]:
+        """Return the tables that only the script itself reads."""
+        views = [name for name in kept if self._kind(name) == "VIEW"]
+        read = {
+            step
+            for view in views
+            for table in self._composed(
+                view, queries, {name: exp.to_table(name) for name in kept}
+            ).find_all(exp.Table)
+            if (step := step_of(table, kept)) is not None
+        }
+        tables = [name for name in kept if self._kind(name) == "TABLE"]
+        return [name for name in tables if name not in read and name not in self.results]
+
+    def _kept(self, queries: dict[str, exp.Query]) -> list[str]:
+        """Return the steps that are tables or views: the others have one reader among these."""
+        readers: dict[str, set[str]] = {}
+        kept: list[str] = []
+        for name in reversed(list(queries)):
+            found: set[str] = set()
+            for reader, query in queries.items():
+                if _reads(query, name):
+                    found |= {reader} if reader in kept else readers[reader]
+            readers[name] = found
+            is_kept = _stem(name) in KEPT or len(found) > 1
+            if name in self.results or is_kept:
+                kept.append(name)
+        return kept[::-1]
+
+    def _kind(self, name: str) -> str:
+        return "VIEW" if _stem(name) in VIEWS else "TABLE"
+
+    def _composed(
+        self,
+        name: str,
+        queries: dict[str, exp.Query],
+        tables: dict[str, exp.Table],
+        commented: bool = False,
+    ) -> exp.Query:
+        """Return the query of a step over the tables there are; others it needs are its WITH list."""
+        needed: list[str] = []
+        pending = [name]
+        while pending:
+            reader = pending.pop()
+            for step in queries:
+                if step not in tables and step not in needed and _reads(queries[reader], step):
+                    needed.append(step)
+                    pending.append(step)
+        query = queries[name].copy()
+        placed = {step: table for step, table in tables.items() if step != name}
+        placed |= {step: exp.to_table(f"gam_step_{step}") for step in needed if step in self.taken}
+        _place(query, placed)
+        entries = []
+        for step in (step for step in queries if step in needed):
+            body = queries[step].copy()
+            _place(body, placed)
+            if commented:
+                body.comments = [self.steps.steps[step].made.comment]
+            name = placed[step].name if step in placed else step
+            entries.append(exp.CTE(this=body, alias=exp.TableAlias(this=exp.to_identifier(name))))
+        if isinstance(query, exp.SetOperation) and (entries or not tables):
+            query = selected_from(query)
+        if entries:
+            query.set("with_", exp.With(expressions=entries))
+        return query
+
+    def _text(self, tree: exp.Expr) -> str:
+        return laid_out(self.engine.text(tree), self.engine.dialect)
+
+    def _comment(self, name: str) -> str:
+        first, *_ = SENTENCE.split(self.steps.steps[name].made.comment, 1)
+        return "\n".join(commented(PAGES.sub("", first)))
+
+
+def _place(query: exp.Query, placed: dict[str, exp.Table]) -> None:
+    """Let a query read tables; one of which no column is named by it keeps its own name."""
+    for select in query.find_all(exp.Select):
+        named = {column.table for column in own_columns(select)}
+        for source, _ in sources_of(select):
+            if (step := step_of(source, placed)) is not None:
+                target = placed[step].copy()
+                if source.alias_or_name in named:
+                    target.set("alias", exp.TableAlias(this=exp.to_identifier(source.alias_or_name)))
+                source.replace(target)
+
+
+def _is_all_it_reads(reader: exp.Query, name: str) -> bool:
+    """Tell whether a query reads nothing but a step, and that once."""
+    tables = list(reader.find_all(exp.Table))
+    is_whole = isinstance(reader, exp.Select) and not reader.args.get("joins")
+    return is_whole and len(tables) == 1 and step_of(tables[0], (name,)) is not None
+
+
+def _reads(query: exp.Expr, name: str) -> bool:
+    return any(step_of(table, (name,)) for table in query.find_all(exp.Table))
+
+
+def _stem(step: str) -> str:
+    """Return a step's name without the numbers of its round and its set."""
+    stem, _, number = step.rpartition("_")
+    return _stem(stem) if number.isdigit() else step
