@@ -50,9 +50,9 @@ def shortened(
         if "windows" in allowed:
             _name_windows(select)
     for node in reversed(list(query.walk())):
-        made = _short(node, allowed)
-        if made is not node:
-            node.replace(made)
+        shorter = _short(node, allowed)
+        if shorter is not node:
+            node.replace(shorter)
     if "float8" in allowed:
         for of in list(query.find_all(exp.DataType)):
             if of.is_type("DOUBLE"):
@@ -83,9 +83,9 @@ def _join_outer(select: exp.Select) -> None:
         for column in list(own_columns(select)):
             if column.table == alias and column.name == "hit":
                 there = exp.not_(exp.column(keys[-1], table=alias).is_(exp.null()))
-                told = column.parent
-                assert told is not None  # hit = 1
-                told.replace(there)
+                comparison = column.parent
+                assert comparison is not None  # hit = 1
+                comparison.replace(there)
         for case in reversed(list(select.find_all(exp.Case))):
             _uncase(case, alias)
         for less in list(select.find_all(exp.LT)):
@@ -311,21 +311,21 @@ def _is_sum(node: exp.Expr) -> bool:
 
 def _among(node: exp.Or) -> exp.Expr:
     """Return a column that has one of some values as such."""
-    found: dict[str, list[exp.Expr]] = {}
+    by_column: dict[str, list[exp.Expr]] = {}
     for part in node.flatten():
         whole = part.unnest()
         sides = whole.flatten() if isinstance(whole, exp.Or) else [whole]
         for side in sides:
             is_value = isinstance(side, exp.EQ) and isinstance(side.this, exp.Column)
             if is_value and isinstance(side.expression, exp.Literal):
-                found.setdefault(side.this.sql(), []).append(side)
+                by_column.setdefault(side.this.sql(), []).append(side)
             else:
                 return node
-    made = []
-    for sides in found.values():
+    shorter = []
+    for sides in by_column.values():
         values = [side.expression for side in sides]
-        made.append(sides[0] if len(sides) == 1 else exp.In(this=sides[0].this, expressions=values))
-    return exp.or_(*made, wrap=False)
+        shorter.append(sides[0] if len(sides) == 1 else exp.In(this=sides[0].this, expressions=values))
+    return exp.or_(*shorter, wrap=False)
 
 
 def _listed(query: exp.Union) -> exp.Query:

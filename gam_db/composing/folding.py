@@ -28,8 +28,8 @@ def is_constant(node: exp.Expr) -> bool:
 def folded(query: exp.Query) -> exp.Query:
     """Return a query without conditions and cases that constants decide."""
     for node in reversed(list(query.walk())):
-        if node is not query and (made := _fold(node)) is not node:
-            node.replace(made)
+        if node is not query and (folded_node := _fold(node)) is not node:
+            node.replace(folded_node)
     for select in query.find_all(exp.Select):
         where = select.args.get("where")
         if where is not None:
@@ -52,7 +52,7 @@ def known_there(condition: exp.Expr) -> exp.Expr:
     compared = {
         part.this.sql() for part in parts if isinstance(part, (exp.LTE, exp.GTE, exp.EQ, exp.Between))
     }
-    kept = [
+    remaining = [
         part
         for part in parts
         if not (
@@ -61,7 +61,7 @@ def known_there(condition: exp.Expr) -> exp.Expr:
             and part.this.this.sql() in compared
         )
     ]
-    return condition if len(kept) == len(parts) else exp.and_(*kept, copy=False)
+    return condition if len(remaining) == len(parts) else exp.and_(*remaining, copy=False)
 
 
 def _fold(node: exp.Expr) -> exp.Expr:

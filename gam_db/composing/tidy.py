@@ -26,36 +26,36 @@ def tidied(queries: Mapping[str, exp.Query], results: Collection[str]) -> Querie
         queries: by name; a table called as a step before is that step.
         results: steps all of whose columns are wanted.
     """
-    found: Queries = {name: query.copy() for name, query in queries.items()}
+    tidied_steps: Queries = {name: query.copy() for name, query in queries.items()}
     constants: dict[str, dict[str, exp.Expr]] = {}
-    for name, query in found.items():
+    for name, query in tidied_steps.items():
         for select in selects_of(query):
             _name(select)
-            _qualify(select, found)
+            _qualify(select, tidied_steps)
             _inline(select, constants)
-        found[name] = query = folded(query)
+        tidied_steps[name] = query = folded(query)
         for select in selects_of(query):
-            _drop_rows(select, found)
+            _drop_rows(select, tidied_steps)
         constants[name] = _constants(query)
-    _keep_needed(found, results)
-    for query in found.values():
+    _keep_needed(tidied_steps, results)
+    for query in tidied_steps.values():
         for select in selects_of(query):
             _merge(select)
-    _keep_needed(found, results)
-    for query in found.values():
+    _keep_needed(tidied_steps, results)
+    for query in tidied_steps.values():
         for select in selects_of(query):
             _shorten(select)
-    return found
+    return tidied_steps
 
 
-def _keep_needed(found: Queries, results: Collection[str]) -> None:
+def _keep_needed(tidied_steps: Queries, results: Collection[str]) -> None:
     """Drop steps and columns that no result needs."""
     needed: dict[str, set[str] | None] = dict.fromkeys(results)
-    for name in reversed(list(found)):
+    for name in reversed(list(tidied_steps)):
         if name in needed:
-            _prune(found[name], needed[name], found, needed)
+            _prune(tidied_steps[name], needed[name], tidied_steps, needed)
         else:
-            del found[name]
+            del tidied_steps[name]
 
 
 def selects_of(query: exp.Expr) -> list[exp.Select]:
@@ -66,9 +66,9 @@ def selects_of(query: exp.Expr) -> list[exp.Select]:
 def sources_of(select: exp.Select) -> list[tuple[exp.Expr, bool]]:
     """Return what a select reads, and whether a row of it is always there."""
     first = select.args.get("from_")
-    found = [] if first is None else [(first.this, True)]
+    sources = [] if first is None else [(first.this, True)]
     joins = select.args.get("joins") or ()
-    return found + [(join.this, join.side != "LEFT") for join in joins]
+    return sources + [(join.this, join.side != "LEFT") for join in joins]
 
 
 def own_columns(select: exp.Select) -> Iterator[exp.Column]:
@@ -130,14 +130,14 @@ def _constants(query: exp.Expr) -> dict[str, exp.Expr]:
 
 def _inline(select: exp.Select, constants: Mapping[str, Mapping[str, exp.Expr]]) -> None:
     """Put the constants that a select reads in the place of their columns."""
-    known: dict[int, Mapping[str, exp.Expr]] = {}
+    constant_columns: dict[int, Mapping[str, exp.Expr]] = {}
     for source, is_there in sources_of(select):
         if is_there and (step := step_of(source, constants)):
-            known[id(source)] = constants[step]
+            constant_columns[id(source)] = constants[step]
         elif is_there and isinstance(source, exp.Subquery):
-            known[id(source)] = _constants(source.this)
+            constant_columns[id(source)] = _constants(source.this)
     for column in list(own_columns(select)):
-        value = known.get(id(_source_of(select, column)), {}).get(column.name)
+        value = constant_columns.get(id(_source_of(select, column)), {}).get(column.name)
         if value is None:
             continue
         parent = column.parent
@@ -200,16 +200,16 @@ def _merge(select: exp.Select) -> None:
         if part is None:
             return
     for column in list(own_columns(select)):
-        made = parts[column.name].copy()
-        if single and isinstance(made, exp.Column) and not made.table:
-            made.set("table", exp.to_identifier(first.this.alias_or_name))
+        column_read = parts[column.name].copy()
+        if single and isinstance(column_read, exp.Column) and not column_read.table:
+            column_read.set("table", exp.to_identifier(first.this.alias_or_name))
         if (
             column.parent is select
             and column.arg_key == "expressions"
-            and made.alias_or_name != column.name
+            and column_read.alias_or_name != column.name
         ):
-            made = exp.alias_(made, column.name)
-        column.replace(made)
+            column_read = exp.alias_(column_read, column.name)
+        column.replace(column_read)
     if single:
         for column in own_columns(inner):
             if not column.table:
@@ -218,8 +218,8 @@ def _merge(select: exp.Select) -> None:
     select.set("joins", inner.args.get("joins"))
     where = inner.args.get("where")
     if where is not None:
-        own = select.args.get("where")
-        both = where.this if own is None else exp.and_(where.this, own.this)
+        condition = select.args.get("where")
+        both = where.this if condition is None else exp.and_(where.this, condition.this)
         select.set("where", exp.Where(this=known_there(both)))
 
 
@@ -268,8 +268,8 @@ def _name(select: exp.Select) -> None:
         order = window.args.get("order")
         if order is not None:
             parted = {part.sql() for part in window.args.get("partition_by") or ()}
-            kept = [part for part in order.expressions if part.this.sql() not in parted]
-            order.set("expressions", kept)
+            remaining = [part for part in order.expressions if part.this.sql() not in parted]
+            order.set("expressions", remaining)
 
 
 def _prune(
@@ -285,8 +285,8 @@ def _prune(
         return
     assert isinstance(query, exp.Select)
     if wanted is not None and not query.args.get("distinct"):
-        kept = [part for part in query.expressions if part.alias_or_name in wanted]
-        query.set("expressions", kept or query.expressions[:1])
+        remaining = [part for part in query.expressions if part.alias_or_name in wanted]
+        query.set("expressions", remaining or query.expressions[:1])
     read: dict[int, set[str]] = defaultdict(set)
     for column in own_columns(query):
         source = _source_of(query, column)

@@ -22,5 +22,7 @@ def macro(
     arguments = [exp.to_identifier(parameter) for parameter in parameters]
     function = exp.UserDefinedFunction(this=name, expressions=arguments, wrapped=True)
     gives_rows = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)
-    said = exp.Properties(expressions=[*properties, gives_rows])
-    return exp.Create(this=function, kind="MACRO", expression=query, properties=said, replace=True)
+    all_properties = exp.Properties(expressions=[*properties, gives_rows])
+    return exp.Create(
+        this=function, kind="MACRO", expression=query, properties=all_properties, replace=True
+    )

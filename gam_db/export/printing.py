@@ -68,44 +68,44 @@ class Script:
 
     def _tidied(self, results: Collection[str]) -> dict[str, exp.Query]:
         queries = {name: step.query for name, step in self.steps.steps.items()}
-        found = tidied(queries, results)
-        readers = [reader for reader in found.values() if _reads(reader, "readings")]
+        tidy_steps = tidied(queries, results)
+        readers = [reader for reader in tidy_steps.values() if _reads(reader, "readings")]
         if len(readers) == 1:
-            inlined(readers[0], "readings", found.pop("readings"))
-        kept = self._kept(found) if self.results == results else list(found)
-        for name in [name for name in found if name not in kept]:
-            readers = [query for query in found.values() if _reads(query, name)]
+            inlined(readers[0], "readings", tidy_steps.pop("readings"))
+        objects = self._kept(tidy_steps) if self.results == results else list(tidy_steps)
+        for name in [name for name in tidy_steps if name not in objects]:
+            readers = [query for query in tidy_steps.values() if _reads(query, name)]
             if len(readers) == 1 and _is_all_it_reads(readers[0], name):
-                inlined(readers[0], name, found.pop(name))
-        columns = dict(found)
-        return {name: shortened(query, self.engine.brief, columns) for name, query in found.items()}
+                inlined(readers[0], name, tidy_steps.pop(name))
+        columns = dict(tidy_steps)
+        return {name: shortened(query, self.engine.brief, columns) for name, query in tidy_steps.items()}
 
     def _statements(self, named: Callable[[str], exp.Table]) -> Iterator[str]:
         """Give the statements of the view form, in one transaction where that undoes them."""
         engine, queries = self.engine, self._tidied(self.results)
         self.engine = engine.unordered()
-        kept = self._kept(queries)
-        passing = self._passing(kept, queries)
+        objects = self._kept(queries)
+        passing = self._passing(objects, queries)
         is_new = engine.swaps == "rename"
-        tables = {name: named(f"{'new_' * is_new}{self.names.get(name, name)}") for name in kept}
+        tables = {name: named(f"{'new_' * is_new}{self.names.get(name, name)}") for name in objects}
         if is_new and engine.temporary is not None:
             tables |= {name: exp.to_table(f"{engine.temporary}.{name}") for name in passing}
         if engine.swaps:
             yield "BEGIN;"
         if engine.swaps not in ("rename", "replace"):
-            yield from self._dropped(kept, named, reversed(kept))
-        for name in kept:
+            yield from self._dropped(objects, named, reversed(objects))
+        for name in objects:
             query = self._composed(name, queries, tables)
             if self._kind(name) == "VIEW":
-                made = exp.Create(this=tables[name].copy(), kind="VIEW", expression=query)
+                statement = exp.Create(this=tables[name].copy(), kind="VIEW", expression=query)
             else:
-                made = engine.create_table(tables[name], query)
-            made.set("replace", engine.swaps == "replace")
-            yield f"\n{self._comment(name)}\n{self._text(made)};"
+                statement = engine.create_table(tables[name], query)
+            statement.set("replace", engine.swaps == "replace")
+            yield f"\n{self._comment(name)}\n{self._text(statement)};"
         yield ""
         yield from self._dropped(passing, tables.__getitem__, passing, exists=False)
         if is_new:
-            lasting = [name for name in kept if name not in passing]
+            lasting = [name for name in objects if name not in passing]
             function = exp.Drop(tables=[named("health_of")], kind="FUNCTION", exists=True)
             yield f"{engine.text(function)};"
             yield from self._dropped(lasting, named, reversed(lasting))
@@ -139,34 +139,34 @@ class Script:
             for table in tables:
                 yield f"{self.engine.text(exp.Drop(tables=[table], kind=kind, exists=exists))};"
 
-    def _passing(self, kept: list[str], queries: dict[str, exp.Query]) -> list[str]:
+    def _passing(self, objects: list[str], queries: dict[str, exp.Query]) -> list[str]:
         """Return the tables that only the script itself reads."""
-        views = [name for name in kept if self._kind(name) == "VIEW"]
+        views = [name for name in objects if self._kind(name) == "VIEW"]
         read = {
             step
             for view in views
             for table in self._composed(
-                view, queries, {name: exp.to_table(name) for name in kept}
+                view, queries, {name: exp.to_table(name) for name in objects}
             ).find_all(exp.Table)
-            if (step := step_of(table, kept)) is not None
+            if (step := step_of(table, objects)) is not None
         }
-        tables = [name for name in kept if self._kind(name) == "TABLE"]
+        tables = [name for name in objects if self._kind(name) == "TABLE"]
         return [name for name in tables if name not in read and name not in self.results]
 
     def _kept(self, queries: dict[str, exp.Query]) -> list[str]:
         """Return the steps that are tables or views: the others have one reader among these."""
         readers: dict[str, set[str]] = {}
-        kept: list[str] = []
+        objects: list[str] = []
         for name in reversed(list(queries)):
-            found: set[str] = set()
+            tidy_steps: set[str] = set()
             for reader, query in queries.items():
                 if _reads(query, name):
-                    found |= {reader} if reader in kept else readers[reader]
-            readers[name] = found
-            is_kept = _stem(name) in KEPT or len(found) > 1
+                    tidy_steps |= {reader} if reader in objects else readers[reader]
+            readers[name] = tidy_steps
+            is_kept = _stem(name) in KEPT or len(tidy_steps) > 1
             if name in self.results or is_kept:
-                kept.append(name)
-        return kept[::-1]
+                objects.append(name)
+        return objects[::-1]
 
     def _kind(self, name: str) -> str:
         return "VIEW" if _stem(name) in VIEWS else "TABLE"
@@ -188,16 +188,18 @@ class Script:
                     needed.append(step)
                     pending.append(step)
         query = queries[name].copy()
-        placed = {step: table for step, table in tables.items() if step != name}
-        placed |= {step: exp.to_table(f"gam_step_{step}") for step in needed if step in self.taken}
-        _place(query, placed)
+        tables_by_step = {step: table for step, table in tables.items() if step != name}
+        tables_by_step |= {
+            step: exp.to_table(f"gam_step_{step}") for step in needed if step in self.taken
+        }
+        _place(query, tables_by_step)
         entries = []
         for step in (step for step in queries if step in needed):
             body = queries[step].copy()
-            _place(body, placed)
+            _place(body, tables_by_step)
             if commented:
                 body.comments = [self.steps.steps[step].made.comment]
-            name = placed[step].name if step in placed else step
+            name = tables_by_step[step].name if step in tables_by_step else step
             entries.append(exp.CTE(this=body, alias=exp.TableAlias(this=exp.to_identifier(name))))
         if isinstance(query, exp.SetOperation) and (entries or not tables):
             query = selected_from(query)
@@ -213,13 +215,13 @@ class Script:
         return "\n".join(commented(PAGES.sub("", first)))
 
 
-def _place(query: exp.Query, placed: dict[str, exp.Table]) -> None:
+def _place(query: exp.Query, tables_by_step: dict[str, exp.Table]) -> None:
     """Let a query read tables; one of which no column is named by it keeps its own name."""
     for select in query.find_all(exp.Select):
         named = {column.table for column in own_columns(select)}
         for source, _ in sources_of(select):
-            if (step := step_of(source, placed)) is not None:
-                target = placed[step].copy()
+            if (step := step_of(source, tables_by_step)) is not None:
+                target = tables_by_step[step].copy()
                 if source.alias_or_name in named:
                     target.set("alias", exp.TableAlias(this=exp.to_identifier(source.alias_or_name)))
                 source.replace(target)

@@ -199,8 +199,8 @@ def _add_learning(one: OfSet, framed: bool) -> None:
     setting, method = one.setting, one.method
     one.add("script/history", {"healthy": _healthy(method)})
     _add_bounds(one)
-    told = compared(setting)
-    slots: dict[str, template.Slot] = {"code": code_of(setting), "carried": told}
+    compared_columns = compared(setting)
+    slots: dict[str, template.Slot] = {"code": code_of(setting), "carried": compared_columns}
     one.add("script/codes", slots)
     codes, over, whole = add_last_codes(one, "", ["calibrating", "first_scored", "value"])
     delays = delays_of(one)
@@ -279,13 +279,13 @@ def _add_certificate(one: OfSet, parts: Collection[str], edges: Mapping[str, exp
         learnt.append(exp.column("vectors_needed", table="learnt"))
     if "probe" in parts:
         _add_probe(one)
-        said = {name: template.fill(f"probe/{name}") for name in ("would_not_see", "blind_reason")}
-        for rule in said.values():
+        rules = {name: template.fill(f"probe/{name}") for name in ("would_not_see", "blind_reason")}
+        for rule in rules.values():
             for column in rule.find_all(exp.Column):
                 if column.table == "scale":
                     column.set("table", exp.to_identifier("learnt"))
         columns = _columns(one, verdicts)
-        one.add("script/certified", {**said, "columns": columns}, tables={"verdicts": verdicts})
+        one.add("script/certified", {**rules, "columns": columns}, tables={"verdicts": verdicts})
         verdicts = "certified"
         learnt += [exp.column(name, table="learnt") for name in _SIGHT]
         blind = exp.column("blind_reason", table="learnt").is_(exp.null())
@@ -367,10 +367,13 @@ def _add_probe(one: OfSet) -> None:
             codes = name
     one.add("probe/probed", slots, tables={"codes": codes})
     one.add("probe/usual")
-    asked = paces(setting.m, setting.tau)
-    rows = [{"change_no": number, **slots_of(of, asked)} for number, of in enumerate(CHANGES, start=1)]
+    delays_by_pace = paces(setting.m, setting.tau)
+    rows = [
+        {"change_no": number, **slots_of(of, delays_by_pace)}
+        for number, of in enumerate(CHANGES, start=1)
+    ]
     add_stacked(one.steps, "probe/changes", rows, one.named("changes"))
-    one.add("probe/changed", changed_slots(one, asked))
+    one.add("probe/changed", changed_slots(one, delays_by_pace))
     one.add("probe/probe", tables={"cells": "support"})
     one.add("script/spread")
     one.add("probe/sight", {"hi_limit": limit_of(template.node_of(float(setting.target_floor)))})
