@@ -158,12 +158,12 @@ class Script:
         readers: dict[str, set[str]] = {}
         objects: list[str] = []
         for name in reversed(list(queries)):
-            tidy_steps: set[str] = set()
+            owners: set[str] = set()
             for reader, query in queries.items():
                 if _reads(query, name):
-                    tidy_steps |= {reader} if reader in objects else readers[reader]
-            readers[name] = tidy_steps
-            is_kept = _stem(name) in KEPT or len(tidy_steps) > 1
+                    owners |= {reader} if reader in objects else readers[reader]
+            readers[name] = owners
+            is_kept = _stem(name) in KEPT or len(owners) > 1
             if name in self.results or is_kept:
                 objects.append(name)
         return objects[::-1]
