@@ -64,13 +64,12 @@ def render(
 
     Args:
         form: "exact", one query, a row per scored vector; or "view", tables <prefix>channels,
-            <prefix>calibration, <prefix>bounds, <prefix>support, <prefix>support_summary,
-            <prefix>certificate and <prefix>probes, and the view <prefix>health over the live source.
+            <prefix>bounds, <prefix>support, <prefix>support_summary, <prefix>certificate and
+            <prefix>probes, the view <prefix>health over the live source, and the views that lead to it
+            (docs/script.md). DuckDB and PostgreSQL also get the function <prefix>health_of(asset, channel).
             Where the source names a program, also the table <prefix>programs and the view
-            <prefix>program_summary.
-            DuckDB also gets the table macro <prefix>health_of(asset, channel). The script begins by
-            dropping what bears these names: the tables of a monitor, which begin with gam_ unless told
-            otherwise, are others.
+            <prefix>program_summary. The script takes the place of what bears these names: the tables of a
+            monitor, which begin with gam_ unless a prefix is given, are others.
         engine: its name, see ``gam_db.engines.NAMES``.
         source: where the telemetry lies. Without ``time_kind`` the time column is taken for what a file
             shows or the given instants mean, else for an integer counter, and the script says so.
@@ -79,7 +78,6 @@ def render(
         prefix: of the names of the view form.
         schema: where they lie; None for the current one, on PostgreSQL for ``public``: its script looks
             no name up on the path, so that nobody else's function or operator runs.
-
         without: what is left out of the view form: "certificate" (with it all that judges), "curve" (how
             much calibration is needed) or "probe" (what would be seen). Default: nothing; where the
             range is that of all samples, as in the paper, the curve and the probe.
