@@ -66,10 +66,10 @@ def render(
         form: "exact", one query, a row per scored vector; or "view", tables <prefix>channels,
             <prefix>bounds, <prefix>support, <prefix>support_summary, <prefix>certificate and
             <prefix>probes, the view <prefix>health over the live source, and the views that lead to it
-            (docs/script.md). DuckDB and PostgreSQL also get the function <prefix>health_of(asset, channel).
-            Where the source names a program, also the table <prefix>programs and the view
-            <prefix>program_summary. The script takes the place of what bears these names: the tables of a
-            monitor, which begin with gam_ unless a prefix is given, are others.
+            (docs/script.md). DuckDB and PostgreSQL also get the function <prefix>health_of(asset,
+            channel). Where the source names a program, also the table <prefix>programs and the view
+            <prefix>program_summary. The script takes the place of what bears these names: the tables of
+            a monitor, which begin with gam_ unless a prefix is given, are others.
         engine: its name, see ``gam_db.engines.NAMES``.
         source: where the telemetry lies. Without ``time_kind`` the time column is taken for what a file
             shows or the given instants mean, else for an integer counter, and the script says so.
