@@ -267,13 +267,15 @@ def _add_certificate(one: OfSet, parts: Collection[str], edges: Mapping[str, exp
     one.add("script/coarsened", {"coarse_key": coarse_key(setting)})
     for name in ("blocks", "shares", "floors"):
         one.add(f"script/{name}")
-    one.add("script/verdicts")
+    for name in ("verdicts", "spread"):
+        one.add(f"script/{name}")
     verdicts = "verdicts"
     learnt: list[exp.Expr] = []
     verdict: exp.Expr = exp.column("verdict", table="learnt")
     if "curve" in parts:
-        for name in ("cell_shares", "learned", "learning", "outlook"):
+        for name in ("cell_shares", "learned", "learning"):
             one.add(f"script/{name}")
+        one.add("certificate/outlook")
         one.add("script/needed", {"columns": _columns(one, verdicts)}, tables={"verdicts": verdicts})
         verdicts = "needed"
         learnt.append(exp.column("vectors_needed", table="learnt"))
@@ -375,7 +377,6 @@ def _add_probe(one: OfSet) -> None:
     add_stacked(one.steps, "probe/changes", rows, one.named("changes"))
     one.add("probe/changed", changed_slots(one, delays_by_pace))
     one.add("probe/probe", tables={"cells": "support"})
-    one.add("script/spread")
     one.add("probe/sight", {"hi_limit": limit_of(template.node_of(float(setting.target_floor)))})
     one.add("script/probes")
 

@@ -16,5 +16,5 @@ SELECT
   curve.learned_floor AS learned_floor
 FROM blocks AS counted
 JOIN learning AS curve
-  ON curve.asset = counted.asset AND curve.channel = counted.channel AND curve.block = counted.block
+  ON curve.asset = counted.asset AND curve.channel = counted.channel AND curve.pool_block = counted.block
 WHERE counted.level = 0

@@ -3,7 +3,7 @@
 SELECT
   asset,
   channel,
-  block,
+  block AS pool_block,
   learned_vectors,
   learned_cells,
   CAST(novel_units AS DOUBLE) / (units * CAST(block + 1 AS DOUBLE)) AS learned_floor

@@ -1,5 +1,5 @@
 -- Spread: the floor of each channel on its grid.
 -- Reads:  floors
-SELECT asset, channel, floors.floor AS floor, floors.floor_max AS floor_max
+SELECT asset, channel, vectors, blocks, floors.floor AS floor, floors.floor_max AS floor_max
 FROM floors
 WHERE level = 0
