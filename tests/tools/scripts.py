@@ -63,13 +63,20 @@ def _answers(
     exact = gam_db.render("exact", name, source, of_one_query(name, parameters), calibration)
     found = {"exact": fetched(session, exact)}
     run(session, gam_db.render("view", name, source, parameters, calibration, prefix, without=()))
-    for question, (relation, order) in RELATIONS.items():
-        query = exp.select("*").from_(exp.to_table(f"{prefix}{relation}")).order_by(*order)
-        found[question] = session.fetch(query).to_pylist()
+    found |= answered(session, prefix)
     if not has_programs and not calibration.pools:
         check_judged(found)
     clear(session, table.name, prefix)
     comparisons.compared(name, "view", rows, parameters, calibration)
+    return found
+
+
+def answered(session: Session, prefix: str) -> dict[str, Answer]:
+    """Return the rows of what a script made."""
+    found: dict[str, Answer] = {}
+    for question, (relation, order) in RELATIONS.items():
+        query = exp.select("*").from_(exp.to_table(f"{prefix}{relation}")).order_by(*order)
+        found[question] = session.fetch(query).to_pylist()
     return found
 
 
