@@ -34,16 +34,19 @@ class RepeatedError(InternalError):
     """Statements expected each instant once, and their rows do not prove it."""
 
 
-def once_more(work: Callable[[], T], collapse: Callable[[], None]) -> T:
+def once_more(
+    work: Callable[[], T], collapse: Callable[[], None], again: Callable[[], T] | None = None
+) -> T:
     """Do work; where an instant may occur twice, collapse the readings and do it once more.
 
-    This is the only fall-back. Collapsed readings have each instant once, so it is needed once.
+    This is the only fall-back. Collapsed readings have each instant once, so it is needed once. What is
+    done ``again`` may differ: a check goes on where damaged tables let a sample seem to come twice.
     """
     try:
         return work()
     except RepeatedError:
         collapse()
-    return work()
+    return work() if again is None else again()
 
 
 def unheard(_: str) -> None:

@@ -303,7 +303,7 @@ def test_an_incremental_run_reads_its_range_only(session: Session) -> None:
         f"INSERT INTO {prefix}state_bucket SELECT number % 16, intDiv(number, 16), 1, 0, 0, 0, 0, 0, "
         "0, 0, NULL, NULL FROM numbers(16 * 10000)",
         f"INSERT INTO {prefix}state_run SELECT 1, number, 0, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, "
-        "0, 0, 0, NULL, NULL, NULL, NULL FROM numbers(16)",
+        "0, 0, 0, NULL, NULL, NULL, NULL, NULL FROM numbers(16)",
     )
     condition = "version_id = 5 AND bucket_no >= 9900"
     literal = f"SELECT bucket_no, novel FROM {prefix}state_visible_bucket WHERE {condition}"

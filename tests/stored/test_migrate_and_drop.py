@@ -86,7 +86,7 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "unknown_program": f"{key + 100}, 0, 1, 'q', 1, 1, 1",
                 "novel": f"{key + 100}, 0, 1, 1, 1, 1, 1",
                 "run": f"1, {key + 100}, 0, 0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0, "
-                "NULL, NULL, NULL, NULL",
+                "NULL, NULL, NULL, NULL, NULL",
                 "checksum": f"{key + 100}, 1, 2, 3, 0, 1, 0.05, 'h', 'h'",
                 "horizon": f"{key + 100}, 0, 1",
                 "proof": f"{monitor}, {key}, 'state', 2, 2, 2, 0",

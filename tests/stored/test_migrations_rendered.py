@@ -58,7 +58,7 @@ def test_the_script_of_an_engine_can_be_parsed(name: str) -> None:
         ("redshift", "COMPOUND SORTKEY(version_id, bucket_no)"),
         ("trino", "COMMENT ON COLUMN \"gam_fleet\".monitor IS 'The monitor'"),
         ("sqlite", 'DROP VIEW IF EXISTS "gam_state_visible_novel"'),
-        ("postgres", 'COMMENT ON COLUMN "public"."gam_fleet".monitor IS \'The monitor'),
+        ("postgres", 'COMMENT ON COLUMN public."gam_fleet".monitor IS \'The monitor'),
     ],
 )
 def test_types_keys_and_comments_are_the_engines(name: str, said: str) -> None:

@@ -275,7 +275,7 @@ def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) 
         "INSERT INTO gam_state_bucket SELECT 1, n, 7, n, n, n, 1, 0, 0, 0, NULL, NULL "
         "FROM range(200000) AS others(n)"
     )
-    nothing = "NULL, NULL, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL"
+    nothing = "NULL, NULL, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL"
     plant.execute(f"INSERT INTO gam_state_run SELECT 7, 1, 0, 0, 0, 0, 0, {nothing}")
     group = [{"version_id": 1, "first_bucket": 199_000}]
     query = filled(

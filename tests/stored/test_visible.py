@@ -104,7 +104,7 @@ def test_the_newest_finished_run_that_reached_a_bucket_is_seen(
     nothing = "0, 0, 0, 0, NULL, NULL, 0, NULL, NULL, NULL, 0, 0, 0"
     finished = [
         f"({by}, {run.version}, {run.start}, {nothing}, {withdrawn}, NULL, "
-        f"{0 if run.counts and run.deletes else 'NULL'}, NULL)"
+        f"{0 if run.counts and run.deletes else 'NULL'}, NULL, NULL)"
         for by, run in numbered
         for withdrawn in (("NULL", "1") if run.is_withdrawn else ("NULL",))
         if run.is_finished

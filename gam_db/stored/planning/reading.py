@@ -221,13 +221,21 @@ def vector_statements(steps: Pipeline) -> list[Statement]:
 def make_vectors(running: Running, programs: Programs | None) -> None:
     """Keep *visited*, the scored vectors in groups, of the steps of a run."""
     plan = Plan.of(running.steps, vector_statements(running.steps), running.placed)
-    execute(running, plan, {}, programs)
+    unverified = tuple(statement for statement in plan.statements if statement.kind is not Kind.VERIFY)
+    execute(running, plan, {}, programs, Plan(plan.steps, unverified))
 
 
 def execute(
-    running: Running, plan: Plan, queries: Mapping[str, exp.Query], programs: Programs | None
+    running: Running,
+    plan: Plan,
+    queries: Mapping[str, exp.Query],
+    programs: Programs | None,
+    again: Plan | None = None,
 ) -> dict[str, list[Row]]:
-    """Execute a list with such statements; where an instant occurs twice, *identified* is collapsed."""
+    """Execute a list with such statements; where an instant occurs twice, *identified* is collapsed.
+
+    Then the list is executed again, or another one.
+    """
 
     def collapse() -> None:
         running.forget(but=_STAYING)
@@ -235,7 +243,8 @@ def execute(
         slots: dict[str, template.Slot] = {"gathered": gathered("reading", programs)}
         running.make("stored/scoring/collapsed", slots, "identified")
 
-    return once_more(partial(running.execute, plan, queries), collapse)
+    repeated = partial(running.execute, again or plan, queries)
+    return once_more(partial(running.execute, plan, queries), collapse, repeated)
 
 
 def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
