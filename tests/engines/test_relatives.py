@@ -74,8 +74,10 @@ def checked(found: Answers, rows: list[harness.Row], parameters: Any, calibratio
 
 
 def shared(text: str) -> str:
-    """Return Redshift's text without the two things that PostgreSQL has not."""
-    return re.sub(r"\nCOMPOUND SORTKEY\([\w, ]+\)", "", text.replace("VARCHAR(MAX)", "VARCHAR"))
+    """Return Redshift's text without the three things that PostgreSQL has not."""
+    clock = r"DATEDIFF\(MICROSECOND, CAST\('1970-01-01 00:00:00' AS TIMESTAMP\), GETDATE\(\)\)"
+    timed = re.sub(clock, "EXTRACT(EPOCH FROM NOW()) * 1000000", text)
+    return re.sub(r"\nCOMPOUND SORTKEY\([\w, ]+\)", "", timed.replace("VARCHAR(MAX)", "VARCHAR"))
 
 
 def on_postgres(
