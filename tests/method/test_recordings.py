@@ -130,7 +130,8 @@ def test_view_of_a_recording_equals_the_exact_form(recordings: Path) -> None:
     with duckdb.connect() as connection:
         connection.execute(gam_db.render("view", "duckdb", source, parameters))
         view = connection.sql("SELECT * FROM gam_live_health ORDER BY asset, channel, time")
-        assert view.to_arrow_table().equals(exact)
+        rows = view.to_arrow_table().select(exact.column_names)  # it judges, too
+        assert rows.cast(exact.schema).equals(exact)
         one = connection.sql(
             "SELECT time, hi FROM gam_live_health_of('ur3', 'Current_J3') ORDER BY time"
         ).fetchall()
