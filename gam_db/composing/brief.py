@@ -13,7 +13,7 @@ from gam_db.composing.tidy import own_columns, query_of, selects_of, sources_of
 
 #: What an engine may let a query leave out.
 FORMS = {
-    "names": "a column is called as it was, whatever table it is of",
+    "names": "a column is called as it was, whatever table it is of, and goes before an alias",
     "nulls": "a row without a partner has NULL in an outer join",
     "using": "a join may name the columns that are equal",
     "frames": "a frame may begin so many rows before at little cost",

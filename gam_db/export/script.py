@@ -124,7 +124,8 @@ def render(
             without = ("curve", "probe") if is_paper else ()
         parts = [part for part in PARTS if part not in without and "certificate" not in without]
         instant = partial(chosen.instant_of, kind)
-        steps = printed_pipeline(method, rows, instant, parts, "frames" in chosen.brief)
+        forms = ("frames" in chosen.brief, "names" in chosen.brief)
+        steps = printed_pipeline(method, rows, instant, parts, *forms)
         script = Script(steps, chosen, parts)
         body = script.exact() if form == "exact" else script.view(place)
         return f"{_commented(head)}\n{begin}\n{body}"

@@ -52,6 +52,7 @@ def printed_pipeline(
     instant_of: TimeNode,
     parts: Collection[str] = PARTS,
     framed: bool = False,
+    renames: bool = False,
 ) -> Pipeline:
     """Return the steps of a script; the last ones are those of :data:`RESULTS`, and *health_indicator*.
 
@@ -61,9 +62,11 @@ def printed_pipeline(
         instant_of: turns integer time into what the source has.
         parts: of :data:`PARTS`; the others need the first.
         framed: whether the engine takes frames lightly that begin so many rows before.
+        renames: whether a column of the source goes before an alias of the same name in a condition.
     """
     steps = Pipeline()
-    _rename(readings)
+    if renames:
+        _rename(readings)
     for either in list(readings.find_all(exp.Or)):
         if isinstance(either.expression, exp.Is):  # rows without a time are no samples
             either.replace(either.this.unnest())

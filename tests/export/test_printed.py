@@ -79,6 +79,17 @@ def test_the_script_in_the_docs_is_the_one_that_its_command_prints() -> None:
     assert script[1] == printed.stdout, "put what the command prints between the marks"
 
 
+def test_no_alias_stands_before_a_column_in_a_condition_of_the_user() -> None:
+    """On ClickHouse an alias goes before a column of the same name, also in the WHERE beside it."""
+    source = gam_db.Source("telemetry", where="time > 5", time_kind="counter")
+    inner = {
+        engine: gam_db.render("exact", engine, source, PAPER, CALIBRATION).partition("time > 5")[0]
+        for engine in ("clickhouse", "duckdb")
+    }
+    assert inner["clickhouse"].rpartition("SELECT")[2].count("AS instant") == 1
+    assert inner["duckdb"].rpartition("SELECT")[2].count("AS time") == 1
+
+
 def test_a_layout_moves_white_space_only() -> None:
     text = gam_db.render("exact", "duckdb", SOURCE, SETTINGS["robust"], CALIBRATION)
     for width in (60, 100, 10_000):
