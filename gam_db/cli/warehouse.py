@@ -1,6 +1,7 @@
 """``gam compile`` and ``gam export``: for a warehouse that runs the method itself."""
 
 import dataclasses
+import sys
 from pathlib import Path
 from typing import Any, Literal
 
@@ -19,13 +20,19 @@ from gam_db.export import Package, write
 from gam_db.export import grafana as dashboards
 from gam_db.export.models import ADAPTERS
 from gam_db.export.monitor import rendered
-from gam_db.export.script import render
+from gam_db.export.script import parts_of, render
 from gam_db.reading import look
 from gam_db.reading.guess import SourceSettings, guess
 from gam_db.settings.source import AnySource, Source, WideSource, as_folder, is_file
 from gam_db.stored.schema.tables import StateTables
 
 Form = Literal["exact", "view", "monitor"]
+
+
+UNPROBED = (
+    "The script does not ask what would be seen: a channel that it calls ready may not show a change. "
+    "--without nothing prints the probe, too; gam run tells at once."
+)
 
 
 @options.taking(*options.READ, "time_kind", "name", "lookback", "park_after")
@@ -66,6 +73,9 @@ def compile(
     prefix = "gam_live_" if prefix is None else prefix
     parts = None if not without else [part for part in without if part != "nothing"]
     _write(render(form, engine, source, parameters, calibration, prefix, schema, parts), out)
+    printed = parts_of(parameters, parts) if form == "view" else []
+    if "certificate" in printed and "probe" not in printed:
+        print(f"gam: {UNPROBED}", file=sys.stderr)
 
 
 def _run_of(settings: Settings, engine: str | None) -> str:

@@ -119,10 +119,7 @@ def render(
 
     if not method.pools and method.programs is None:
         rows = chosen.readings(source, relation, kind, until=latest_live(source, chosen, kind))
-        if without is None:
-            is_paper = all(one.range != ROBUST for one in parameters.variants())
-            without = ("curve", "probe") if is_paper else ()
-        parts = [part for part in PARTS if part not in without and "certificate" not in without]
+        parts = parts_of(parameters, without)
         instant = partial(chosen.instant_of, kind)
         forms = ("frames" in chosen.brief, "names" in chosen.brief)
         steps = printed_pipeline(method, rows, instant, parts, *forms)
@@ -139,6 +136,14 @@ def render(
         for comment, statement in statements
     )
     return f"{_commented(head)}\n{begin}\n{body}"
+
+
+def parts_of(parameters: Parameters, without: Collection[str] | None = None) -> list[str]:
+    """Return the parts of a script in the view form; see :func:`render`."""
+    if without is None:
+        is_paper = all(variant.range != ROBUST for variant in parameters.variants())
+        without = ("curve", "probe") if is_paper else ()
+    return [part for part in PARTS if part not in without and "certificate" not in without]
 
 
 def _view_statements(

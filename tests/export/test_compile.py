@@ -116,3 +116,17 @@ def test_errors_are_one_paragraph(
     assert found.exit_code == 1
     assert part in " ".join(found.stderr.split())
     assert "Traceback" not in found.stderr
+
+
+def test_a_script_without_the_probe_is_said_not_to_ask_what_would_be_seen() -> None:
+    """Its channels are called ready where gam run may call them blind."""
+    for words, is_unprobed in (
+        (["--paper"], True),
+        (["--paper", "--without", "probe"], True),
+        (["--paper", "--without", "nothing"], False),
+        (["--paper", "--without", "certificate"], False),
+        (["--tau", "1", "--m", "3", "--bins", "20", "--window", "500"], False),
+    ):
+        found = invoke("telemetry", "--time-kind", "counter", *words)
+        assert found.exit_code == 0
+        assert ("may not show a change" in " ".join(found.stderr.split())) == is_unprobed
