@@ -45,7 +45,7 @@ def shortened(
         if "nulls" in allowed:
             _join_outer(select)
         if "using" in allowed:
-            _use(select)
+            _use(select, steps)
             _unqualify(select, steps)
         if "windows" in allowed:
             _name_windows(select)
@@ -143,10 +143,11 @@ def _is_null_without(value: exp.Expr, alias: str) -> bool:
     return False
 
 
-def _use(select: exp.Select) -> None:
+def _use(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
     """Name the columns that are equal, as long as each is one column of what is joined so far."""
     joins = select.args.get("joins") or ()
-    for join in joins:
+    shared: set[str] = set()
+    for place, join in enumerate(joins):
         condition = join.args.get("on")
         if condition is None:
             continue
@@ -158,6 +159,14 @@ def _use(select: exp.Select) -> None:
             if sides[0].name != sides[1].name:
                 return
             names.append(sides[0].name)
+        before = [source for source, _ in sources_of(select)][: place + 1]
+        queries = [query for source in before if (query := query_of(source, steps)) is not None]
+        for name in names:
+            if sum(name in query.named_selects for query in queries) > 1 and name not in shared:
+                return
+        query = query_of(join.this, steps)
+        shared = {name for name in shared if query is None or name not in query.named_selects}
+        shared |= set(names)
         join.set("on", None)
         join.set("using", [exp.to_identifier(name) for name in names])
 
@@ -179,7 +188,9 @@ def _unqualify(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
             return
         columns.append(query.named_selects)
     joins = select.args.get("joins") or ()
-    equal = {name.name for join in joins for name in join.args.get("using") or ()}
+    named = [name.name for join in joins for name in join.args.get("using") or ()]
+    # A name that all holders but the first are joined by.
+    equal = {name for name in named if named.count(name) == sum(name in names for names in columns) - 1}
     if any(join.args.get("on") is not None for join in joins):
         equal = set()
     optional = {join.this.alias_or_name for join in joins if join.side == "LEFT"}
@@ -189,9 +200,11 @@ def _unqualify(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
         if column.table and (holders == 1 or is_equal):
             column.set("table", None)
     _unalias(select)
-    named = {column.table for column in own_columns(select)}
+    read = {column.table for column in own_columns(select)}
+    tables = [source.name for source in sources if isinstance(source, exp.Table)]
     for source in sources:
-        if isinstance(source, exp.Table) and source.alias_or_name not in named:
+        is_named = source.alias_or_name in read or tables.count(source.name) > 1
+        if isinstance(source, exp.Table) and not is_named:
             source.set("alias", None)
 
 

@@ -65,8 +65,10 @@ def known_there(condition: exp.Expr) -> exp.Expr:
 
 
 def _fold(node: exp.Expr) -> exp.Expr:
+    # To sqlglot AND and OR are functions, too.
     if isinstance(node, exp.Paren) and isinstance(node.this, _WHOLE):
-        return node.this
+        inner: exp.Expr = node.this
+        return node if isinstance(inner, exp.Connector) and not _is_apart(node) else inner
     if (
         isinstance(node, exp.Paren)
         and isinstance(node.this, exp.Predicate)
@@ -85,6 +87,9 @@ def _fold(node: exp.Expr) -> exp.Expr:
         left, right = _integer(node.this), _integer(node.expression)
         if left is not None and right is not None:
             return exp.Boolean(this=compared(left, right))
+        nothing = any(is_constant(side) and side.find(exp.Null) for side in node.iter_expressions())
+        if nothing and _decides(node):
+            return exp.false()
     if isinstance(node, (exp.And, exp.Or)):
         neutral = exp.Boolean(this=isinstance(node, exp.And))
         sides = [side for side in (node.this, node.expression) if side != neutral]
@@ -93,6 +98,8 @@ def _fold(node: exp.Expr) -> exp.Expr:
         return neutral if not sides else sides[0] if len(sides) == 1 else node
     if isinstance(node, exp.Case) and node.this is None:
         return _fold_case(node)
+    if isinstance(node, (exp.Min, exp.Max)) and isinstance(node.this, exp.Null):
+        return exp.Null()
     return node
 
 
@@ -116,6 +123,21 @@ _WHOLE = (exp.Boolean, exp.Null, exp.Literal, exp.Column, exp.Paren, exp.Func)
 def _is_condition(node: exp.Expr | None) -> bool:
     """Tell whether what stands in a node is a condition by itself."""
     return isinstance(node, (exp.And, exp.Or, exp.Where, exp.If, exp.Join))
+
+
+def _is_apart(brackets: exp.Paren) -> bool:
+    """Tell whether conditions in brackets are the same without them."""
+    if isinstance(brackets.parent, exp.Connector):
+        return isinstance(brackets.this, (exp.And, type(brackets.parent)))
+    return isinstance(brackets.parent, (exp.If, exp.Where, exp.Join, exp.Paren))
+
+
+def _decides(node: exp.Expr) -> bool:
+    """Tell whether NULL counts as false in a node: nothing negates it, and it is a condition."""
+    parent = node.parent
+    while isinstance(parent, (exp.And, exp.Or, exp.Paren)):
+        parent = parent.parent
+    return isinstance(parent, (exp.If, exp.Where, exp.Join))
 
 
 def _fold_case(node: exp.Case) -> exp.Expr:

@@ -1,8 +1,8 @@
 """Tidying: the steps of a script without what its settings make needless.
 
 Steps are written for all settings. This module takes out of them, on their trees, what some settings
-leave without effect: columns that nobody reads, constants, joins to a single row, cases that cannot be.
-The rows stay the same. Channels are called by their names, not by numbers.
+leave without effect: columns that nobody reads, constants, joins to a single row or to none, cases that
+cannot be, steps that only rename. The rows stay the same. Channels may be called by their names.
 """
 
 from collections import defaultdict
@@ -19,24 +19,41 @@ Queries = dict[str, exp.Query]
 IDS, NAMES = ("channel_id", "support_id"), ("asset", "channel")
 
 
-def tidied(queries: Mapping[str, exp.Query], results: Collection[str]) -> Queries:
+def tidied(
+    queries: Mapping[str, exp.Query],
+    results: Collection[str],
+    by_name: bool = True,
+    keys: Mapping[str, str] | None = None,
+) -> Queries:
     """Return the steps that the results need, tidied, in their order.
 
     Args:
         queries: by name; a table called as a step before is that step.
         results: steps all of whose columns are wanted.
+        by_name: whether channels are called by their names; else by numbers, as in the queries, and a
+            step that only renames columns of another one is that one.
+        keys: of steps, the column that no two rows share.
     """
     tidied_steps: Queries = {name: query.copy() for name, query in queries.items()}
     constants: dict[str, dict[str, exp.Expr]] = {}
     for name, query in tidied_steps.items():
         for select in selects_of(query):
-            _name(select)
+            if by_name:
+                _name(select)
             _qualify(select, tidied_steps)
-            _inline(select, constants)
-        tidied_steps[name] = query = folded(query)
+            if not by_name:
+                _see_through(select, tidied_steps, results)
+                _join_once(select, keys or {})
+        for _ in range(1 if by_name else 3):  # what is folded within decides what is around it
+            for select in selects_of(query):
+                _drop_empty(select, tidied_steps)
+                _inline(select, constants)
+            query = folded(query)
+        tidied_steps[name] = query
         for select in selects_of(query):
             _drop_rows(select, tidied_steps)
-        constants[name] = _constants(query)
+        # What a result says in its rows is read there.
+        constants[name] = _constants(query) if by_name or name not in results else {}
     _keep_needed(tidied_steps, results)
     for query in tidied_steps.values():
         for select in selects_of(query):
@@ -73,8 +90,7 @@ def sources_of(select: exp.Select) -> list[tuple[exp.Expr, bool]]:
 
 def own_columns(select: exp.Select) -> Iterator[exp.Column]:
     """Give the columns that a select names itself, not those of a select in it."""
-    inner = {id(source) for source, _ in sources_of(select)}
-    for node in select.walk(prune=lambda node: id(node) in inner):
+    for node in select.walk(prune=lambda node: isinstance(node, exp.Subquery)):
         if isinstance(node, exp.Column):
             yield node
 
@@ -164,6 +180,77 @@ def inlined(consumer: exp.Query, name: str, query: exp.Query) -> None:
     for select in selects_of(consumer):
         _merge(select)
         _shorten(select)
+
+
+def _see_through(select: exp.Select, steps: Mapping[str, exp.Query], results: Collection[str]) -> None:
+    """Read what a step reads, where it only renames columns of another one."""
+    for source, _ in sources_of(select):
+        name = step_of(source, steps)
+        step = None if name is None or name in results else steps[name]
+        if not isinstance(step, exp.Select) or len(sources_of(step)) != 1:
+            continue
+        first, clauses = step.args["from_"].this, ("where", "group", "distinct", "order")
+        columns = {part.alias_or_name: part.unalias() for part in step.expressions}
+        is_renaming = step_of(first, steps) is not None and not any(
+            step.args.get(key) for key in clauses
+        )
+        if not is_renaming or not all(
+            isinstance(column, exp.Column) or is_constant(column) for column in columns.values()
+        ):
+            continue
+        alias = source.alias_or_name
+        for column in list(own_columns(select)):
+            if column.table in ("", alias) and column.name in columns:
+                renamed = columns[column.name].copy()
+                if isinstance(renamed, exp.Column):
+                    renamed = exp.column(renamed.name, table=alias)
+                is_listed = column.parent is select and column.arg_key == "expressions"
+                column.replace(exp.alias_(renamed, column.name) if is_listed else renamed)
+        table = first.copy()
+        table.set("alias", exp.TableAlias(this=exp.to_identifier(alias)))
+        source.replace(table)
+
+
+def _join_once(select: exp.Select, keys: Mapping[str, str]) -> None:
+    """Read a step once that is joined to itself by its key."""
+    sources = [source for source, _ in sources_of(select)]
+    for join in list(select.args.get("joins") or ()):
+        condition, name = join.args.get("on"), step_of(join.this, keys)
+        if join.side or name is None or not isinstance(condition, exp.EQ):
+            continue
+        alias = join.this.alias_or_name
+        sides = {side.table: side.name for side in (condition.this, condition.expression)}
+        for source in sources:
+            other = source.alias_or_name
+            is_same = source is not join.this and step_of(source, keys) == name
+            if is_same and sides == {alias: keys[name], other: keys[name]}:
+                join.pop()
+                for column in list(own_columns(select)):
+                    if column.table == alias:
+                        column.set("table", exp.to_identifier(other))
+                break
+
+
+def _drop_empty(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
+    """Drop outer joins to what has no row, or none that fits."""
+    for join in list(select.args.get("joins") or ()):
+        query = query_of(join.this, steps)
+        is_empty = isinstance(query, exp.Select) and _is_empty(query, steps)
+        if join.side != "LEFT" or not (is_empty or join.args.get("on") == exp.false()):
+            continue
+        for column in list(own_columns(select)):
+            if column.table == join.this.alias_or_name:
+                column.replace(exp.Literal.number(0) if column.name == "hit" else exp.Null())
+        join.pop()
+
+
+def _is_empty(query: exp.Select, steps: Mapping[str, exp.Query]) -> bool:
+    """Tell whether a query reads a step that has no row, or is such a one."""
+    where = query.args.get("where")
+    if where is not None and where.this == exp.false():
+        return True
+    first = query_of(sources_of(query)[0][0], steps) if sources_of(query) else None
+    return isinstance(first, exp.Select) and _is_empty(first, steps)
 
 
 def _drop_rows(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
@@ -293,7 +380,11 @@ def _prune(
         if source is None:
             raise InternalError(f"Nothing read has {column.sql()}: {query.sql()}")
         read[id(source)].add(column.name)
-    for source, _ in sources_of(query):
+    sources = [source for source, _ in sources_of(query)]
+    for single in query.find_all(exp.Subquery):  # a number beside columns
+        if single.parent_select is query and not any(single is source for source in sources):
+            _prune(single.this, None, steps, needed)
+    for source in sources:
         columns = read[id(source)]
         if isinstance(source, exp.Subquery):
             _prune(source.this, columns, steps, needed)

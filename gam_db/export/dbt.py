@@ -5,6 +5,7 @@ written to a folder. What a column means is said in the words of the migrations,
 those of the files of ``sql/``.
 """
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,9 +18,11 @@ from gam_db.composing import template
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
 from gam_db.errors import SourceError, unwritable, wrong
-from gam_db.export import jinja, yaml_text
-from gam_db.export.models import ADAPTERS, SOURCE, TABLE, Model, Modelled, checks, models
+from gam_db.export import yaml_text
+from gam_db.export.modelling import Model, models
+from gam_db.export.models import ADAPTERS, SOURCE, TABLE, Modelled
 from gam_db.method import Method
+from gam_db.method.printed import parts_of
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import (
@@ -70,6 +73,8 @@ class Package:
             step of a counter.
         silent_after: after how long without a row dbt warns (source freshness); None for a day. A
             counter has no such warning.
+        without: "curve" (how much calibration is needed) or "probe" (what would be seen). Default:
+            nothing; where the range is that of all samples, as in the paper, both.
 
     Raises:
         UserError: any of it cannot be used.
@@ -83,6 +88,7 @@ class Package:
     prefix: str = "gam_"
     lookback: Length | None = None
     silent_after: Length | None = None
+    without: Collection[str] | None = None
 
     def files(self) -> dict[str, str]:
         """Return the text of each file by its path in the package."""
@@ -96,9 +102,9 @@ class Package:
         prefix = StateTables("any", self.prefix).prefix
         check_zone(self.source, kind)
         lookback = lengths.lookback(self.lookback, kind, repeat_of(self.source))
-        of = Modelled(self.source, method, engine, adapter, prefix, lookback)
+        parts = parts_of(self.parameters, self.without)
+        of = Modelled(self.source, method, engine, adapter, prefix, lookback, parts)
         silent = None if kind.is_counter else lengths.park_after(self.silent_after, kind)
-        made = models(of)
         files = {
             PROJECT: project(of),
             "profiles.example.yml": profiles(of),
@@ -106,14 +112,13 @@ class Package:
             "models/sources.yml": sources(of, table, place, catalog, silent),
             f"tests/generic/{UNIQUE}.sql": _unique(engine),
         }
-        for folder in dict.fromkeys(model.folder for model in made):
-            inside = [_described(of, model) for model in made if model.folder == folder]
-            files[f"{folder}/schema.yml"] = yaml_text.text({"version": 2, "models": inside})
-        for model in made:
-            files[f"{model.folder}/{prefix}{model.name}.sql"] = _text(model, engine)
-        before = adapter.get("before", "")
-        for test in checks(of):
-            files[f"{test.folder}/{prefix}{test.name}.sql"] = _text(test, engine, before)
+        by_folder: dict[str, list[dict[str, Any]]] = {}
+        for model in models(of):
+            files[f"{model.folder}/{prefix}{model.name}.sql"] = model.text
+            if model.folder != "tests":
+                by_folder.setdefault(model.folder, []).append(_described(of, model))
+        for folder, described in by_folder.items():
+            files[f"{folder}/schema.yml"] = yaml_text.text({"version": 2, "models": described})
         return files
 
     def _place(self) -> tuple[str | None, str | None, str]:
@@ -158,20 +163,6 @@ def _check_folder(folder: Path, prefix: str) -> None:
     is_free = not folder.exists() or (folder.is_dir() and not any(folder.iterdir()))
     if not (is_free or begin.startswith(mark(prefix))):
         raise wrong("dbt_folder_of_another", folder=folder, prefix=prefix)
-
-
-def _text(model: Model, engine: Engine, before: str = "") -> str:
-    """Return the file of a model, or of a test with what is run before it."""
-    for tree in (model.query, model.later):
-        if tree is not None:
-            jinja.check_is_free(tree)
-    about = "\n".join(f"-- {line}" for line in template.load(model.about).comment.splitlines())
-    body = engine.text(model.query, pretty=True)
-    if model.later is not None:
-        body = jinja.in_two_forms(engine.text(model.later, pretty=True), body)
-    head = [jinja.config(model.config)] if model.config else []
-    head += [jinja.run(before)] if before else []
-    return "\n\n".join([*head, about, body]) + "\n"
 
 
 def _unique(engine: Engine) -> str:
@@ -247,8 +238,17 @@ def sources(
 
 
 def _described(of: Modelled, model: Model) -> dict[str, Any]:
+    _, _, about = " ".join(model.comment.split()).partition(": ")
+    described: dict[str, Any] = {
+        "name": f"{of.prefix}{model.name}",
+        "description": f"{about[:1].upper()}{about[1:]}",
+    }
+    if not model.keys:
+        return described
+    if len(model.keys) > 1:
+        described["data_tests"] = [{UNIQUE: {"arguments": {"columns": list(model.keys)}}}]
     columns = []
-    for column in model.query.named_selects:
+    for column in model.columns:
         tests: list[Any] = []
         if column in model.keys or _is_always_there(model.name, column):
             tests.append("not_null")
@@ -256,16 +256,9 @@ def _described(of: Modelled, model: Model) -> dict[str, Any]:
             tests.append("unique")
         if column in model.values:
             tests.append({"accepted_values": {"arguments": {"values": list(model.values[column])}}})
-        said = {"name": column, "description": _meaning(model.name, column)}
-        columns.append({**said, **({"data_tests": tests} if tests else {})})
-    _, _, about = " ".join(template.load(model.about).comment.split()).partition(": ")
-    whole = {UNIQUE: {"arguments": {"columns": list(model.keys)}}}
-    return {
-        "name": f"{of.prefix}{model.name}",
-        "description": f"{about[:1].upper()}{about[1:]}",
-        **({"data_tests": [whole]} if len(model.keys) > 1 else {}),
-        "columns": columns,
-    }
+        meaning = {"name": column, "description": _meaning(model.name, column)}
+        columns.append({**meaning, **({"data_tests": tests} if tests else {})})
+    return {**described, "columns": columns}
 
 
 def _meaning(table: str, column: str) -> str:

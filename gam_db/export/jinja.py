@@ -9,6 +9,7 @@ from typing import Any
 
 from sqlglot import exp
 
+from gam_db.composing.layout import WIDTH
 from gam_db.errors import wrong
 
 THIS = exp.Table(this=exp.var("{{ this }}"))
@@ -27,9 +28,12 @@ def source(name: str, table: str) -> exp.Table:
 
 
 def config(settings: Mapping[str, Any]) -> str:
-    """Return the line that configures a model."""
-    said = ", ".join(f"{name}={_value(value)}" for name, value in settings.items())
-    return f"{{{{ config({said}) }}}}"
+    """Return what configures a model."""
+    words = [f"{name}={_value(value)}" for name, value in settings.items()]
+    line = f"{{{{ config({', '.join(words)}) }}}}"
+    if len(line) <= WIDTH:
+        return line
+    return "{{ config(\n" + ",\n".join(f"  {word}" for word in words) + "\n) }}"
 
 
 def run(statement: str) -> str:
@@ -37,9 +41,18 @@ def run(statement: str) -> str:
     return f"{{% call statement('before') %}}{statement}{{% endcall %}}"
 
 
-def in_two_forms(later: str, first: str) -> str:
-    """Return what an incremental model says: in a later build, and in the first or a full one."""
-    return f"{{% if is_incremental() %}}\n\n{later}\n\n{{% else %}}\n\n{first}\n\n{{% endif %}}"
+def built_once(query: str) -> str:
+    """Return what a model that is built once says: a later build adds nothing to it."""
+    nothing = "{% if is_incremental() %} SELECT * FROM {{ this }} WHERE 1 = 0 {% else %}"
+    return f"{nothing}\n{query}\n{{% endif %}}"
+
+
+def if_there(model: str, query: str, nothing: str) -> str:
+    """Return what a model says that reads a later one as the build before left it, as ``before``."""
+    place = f"this.database, this.schema, {_quoted(model)}"
+    before = f"{{% set before = adapter.get_relation({place}) %}}"
+    condition = "{% if before is not none and not should_full_refresh() %}"
+    return f"{before}\n{condition}\n{query}\n{{% else %}}\n{nothing}\n{{% endif %}}"
 
 
 def check_is_free(tree: exp.Expr) -> None:

@@ -1,13 +1,14 @@
 """The models of a dbt package: which steps each is made of, and what dbt has to know of it.
 
-This module owns the way from the files of ``sql/`` to the query of each model. Models bear the names of
-the state tables that the stored form keeps, and the same columns as far as they need them: a channel has
-one version, so it goes by the channel's number.
+This module owns the way from the files of ``sql/`` to the steps of a package. Its tables bear the names
+of the state tables that the stored form keeps, and the same columns as far as they need them: a channel
+has one version, so it goes by the channel's number. How steps become files is
+:mod:`gam_db.export.modelling`.
 """
 
 import hashlib
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -16,29 +17,32 @@ from sqlglot import exp
 from gam_db import data
 from gam_db.clock import FAR_AHEAD, LONG_AGO
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline, filled, union_of
+from gam_db.composing.pipeline import Pipeline, Step, filled, union_of
 from gam_db.engines.base import Engine
 from gam_db.errors import CalibrationError, wrong
 from gam_db.export import jinja
-from gam_db.method import Method, pipeline
+from gam_db.method import Method
 from gam_db.method.adding import OfSet, add
 from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_judgement
 from gam_db.method.judgement import add_judged, limit_slots
+from gam_db.method.printed import LEFT_OUT, PARTS
 from gam_db.method.probe import add_certified, add_probe
 from gam_db.method.programs import (
+    JUDGED,
     add_judged_programs,
-    add_samples,
     add_taught_programs,
-    has_programs,
+    gathered,
     identified_slots,
 )
-from gam_db.method.source import add_rules
+from gam_db.method.ranges import DROPPED, is_robust
+from gam_db.method.scoring import add_buckets, add_numbered
+from gam_db.method.source import add_channels, add_rules
 from gam_db.reading.ahead import latest_live
 from gam_db.settings.source import AnySource, under
 from gam_db.stored.calibrating import method_hash
 from gam_db.stored.planning.setting import Setting
-from gam_db.stored.planning.steps import DAY, KEPT, add_counting
+from gam_db.stored.planning.steps import DAY, ENDS, method_of, past_slots
 from gam_db.stored.sources import described
 
 #: What dbt runs on, by engine; see the file.
@@ -55,30 +59,31 @@ CALIBRATED = {
     "block": ("support_id", "block"),
     "ladder": ("support_id", "bins"),
     "probe": ("support_id", "change_no"),
+    "program": ("support_id", "program_no"),
 }
 
-#: The same where states are of programs.
-PROGRAM = {"program": ("support_id", "program_no")}
+#: The views for whoever reads on, with the columns that no two rows of each share.
+VIEWS = {
+    "health": ("asset", "channel", "bucket"),
+    "fleet": ("asset", "channel"),
+    "machine": ("asset",),
+}
+
+#: The tests that are queries, by the step whose rows are something amiss.
+CHECKS = {
+    "changed_calibration": "calibration_is_unchanged",
+    "unknown_channels": "channels_are_known",
+    "unjudged_programs": "programs_are_judged",
+}
+
+#: The step that reads what is there from the build before.
+EARLIER = "earlier_bucket"
+
+#: What a pool says of members that taught nothing.
+_MEMBER = ("verdict", "floor", "floor_sd", "floor_max", "finest_bins")
 
 #: The first microsecond of the year 1: no warehouse knows an earlier one.
 _FIRST = -62_135_596_800_000_000
-
-_LEARNT = ("limits", "identified", "timeline", "collapsed", "calibrated", "recount")
-_PLANNED = ("active", "stored_visible_bucket", "newest", "restart", "cohort", "channels", "bounds")
-
-
-@dataclass(frozen=True)
-class Model:
-    """One model, or one test that is a query."""
-
-    name: str  # without the prefix; it is that of a state table where there is one
-    folder: str
-    about: str  # the template that says what it holds
-    query: exp.Query  # what the first build runs
-    later: exp.Query | None = None  # what later ones run; None if that is the same
-    config: Mapping[str, Any] = field(default_factory=dict)
-    keys: tuple[str, ...] = ()  # columns that no two rows share
-    values: Mapping[str, Sequence[str]] = field(default_factory=dict)  # column -> those that there are
 
 
 @dataclass(frozen=True)
@@ -96,6 +101,7 @@ class Modelled:
     adapter: Mapping[str, Any]
     prefix: str
     lookback: int
+    parts: Collection[str] = PARTS  # of the certificate
 
     def __post_init__(self) -> None:
         calibration = self.method.calibration
@@ -111,14 +117,14 @@ class Modelled:
     def setting(self) -> Setting:
         """The parameters of all channels."""
         one, gap = self.method.settings[0], self.method.gaps[0]
-        has_start = any(rule.score_from is not None for rule in self.method.rules)
         figures = (one.m, one.tau, one.grid, one.window, one.bucket_length)
-        return Setting(*figures, gap, has_start, one.still_after, self.method.programs)
+        return Setting(*figures, gap, True, one.still_after, self.method.programs)
 
     @property
     def calibrated(self) -> Mapping[str, tuple[str, ...]]:
         """The models that are built once, and the columns that no two rows of each share."""
-        return CALIBRATED | (PROGRAM if self.setting.has_programs else {})
+        absent = {"probe": "probe" not in self.parts, "program": not self.setting.has_programs}
+        return {name: keys for name, keys in CALIBRATED.items() if not absent.get(name)}
 
     @cached_property
     def settings_hash(self) -> str:
@@ -128,6 +134,7 @@ class Modelled:
         calibration = self.method.calibration
         said = (
             self.setting,
+            sorted(self.parts),
             float(self.method.settings[0].target_floor),
             self.method.settings[0].least_vectors,
             self.method.settings[0].range,
@@ -166,67 +173,98 @@ class Modelled:
 _SOURCE_NODE = jinja.source(SOURCE, TABLE)
 
 
-def models(of: Modelled) -> list[Model]:
-    """Return the models of a package, each after those that it reads."""
-    return [*_calibration(of), _bucket(of), *_views(of)]
-
-
-def checks(of: Modelled) -> list[Model]:
-    """Return the tests of a package that are queries of their own; a row is something amiss."""
-    steps = _learning(of)
-    add(steps, "source/names")
-    add(steps, "stored/scoring/recount")
-    placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
-    made = []
-
-    def check(name: str, step: str) -> None:
-        about, config = f"export/{step}", {"severity": "warn"}
-        add(steps, about)
-        query = steps.query(step, placed, commented=True)
-        made.append(Model(name, "tests", about, query, config=config))
-
-    check("calibration_is_unchanged", "changed_calibration")
-    check("channels_are_known", "unknown_channels")
+def package_steps(of: Modelled) -> Pipeline:
+    """Return the steps of a package in order: its models, views and tests by their names, and others."""
+    package = Pipeline()
+    scoring = _scoring(of)
+    tables = {*CALIBRATED, *VIEWS, "bucket"}
+    reserved = tables | scoring.steps.keys()
+    parts: list[tuple[str, Pipeline, dict[str, str]]] = [
+        ("channel_", _naming(of), {"channel_rows": "channel"}),
+        ("calibration_", _declaring(of), {"calibration_rows": "calibration"}),
+        ("calibration_", _learning(of), {f"{name}_rows": name for name in list(of.calibrated)[2:]}),
+        ("scored_", scoring, {"bucket_rows": "bucket_rows", "ended_buckets": "ended_buckets"}),
+    ]
+    for prefix, steps, targets in parts:
+        for target in targets:
+            if target not in steps.steps:
+                add(steps, f"stored/calibrating/{target}", tables={"numbering": "channels"})
+        _take(package, steps, targets, tables if steps is scoring else reserved, prefix)
+    rows = union_of(package, ["bucket_rows", "ended_buckets"])
+    package.add("bucket", rows, template.load("export/bucket_rows").comment)
+    views = _views(of)
+    _take(package, views, {name: name for name in VIEWS}, tables, "current_")
+    checks = _learning(of)
+    add(checks, "source/names")
+    add(checks, "stored/scoring/recount")
+    for step in ("changed_calibration", "unknown_channels"):
+        add(checks, f"export/{step}")
+        _take(package, checks, {step: step}, reserved, "calibration_")
     if of.setting.has_programs:
-        placed["programs"] = of.reference("program")
-        steps.replace("readings", of.readings())  # of all rows, not of those of calibration alone
-        check("programs_are_judged", "unjudged_programs")
-    return made
+        checks.replace("readings", of.readings())  # of all rows, not of those of calibration alone
+        add(checks, "export/unjudged_programs", tables={"judged_samples": JUDGED})
+        _take(package, checks, {"unjudged_programs": "unjudged_programs"}, reserved, "current_")
+    return package
 
 
-def _calibration(of: Modelled) -> list[Model]:
-    """Return the models that are built once: a later build leaves their rows as they are."""
-    steps = pipeline(of.method, of.readings(), of.instant)
+def _take(
+    package: Pipeline,
+    steps: Pipeline,
+    targets: Mapping[str, str],
+    reserved: Collection[str],
+    prefix: str,
+) -> None:
+    """Add to a package what the targets need; what has the name of another step gets the prefix."""
+    names = {f"stored_{name}": name for name in (*CALIBRATED, "bucket")}
+    for step in steps.needed(targets):
+        tables = {read: names.get(read, read) for read in step.made.tables}
+        inputs = {read: name for read, name in tables.items() if name in package.steps}
+        added = Step.of(step.name, step.query, step.made.comment, inputs)
+        name = targets.get(step.name, step.name)
+        if step.name not in targets and (name in reserved or _differs(package, name, added)):
+            name = f"{prefix}{name}"
+        names[step.name] = name
+        if name not in package.steps or _differs(package, name, added):
+            package.add(name, step.query, step.made.comment, tables)
+
+
+def _differs(package: Pipeline, name: str, step: Step) -> bool:
+    """Tell whether another step has the name."""
+    return name in package.steps and package.steps[name].query != step.query
+
+
+def _naming(of: Modelled) -> Pipeline:
+    """Return the steps that number the channels; the last one is *channel_rows*."""
+    steps = Pipeline()
+    rows, method = of.readings(), of.method
+    steps.add("readings", rows, template.load("source/readings").comment)
+    add(steps, "source/names")
+    add_rules(steps, method)
+    add_channels(steps, method)
+    add(steps, "export/limits", {"long_ago": LONG_AGO})
+    _add_samples(steps, of, exp.true())
+    add(steps, "export/calibration_rows", name="calibration")
     add(steps, "stored/scoring/recount")
+    span = method.settings[0].reach
+    add(steps, "export/run_up", {"span": span})
     hashes = {"settings_hash": of.settings_hash, "method_hash": method_hash()}
-    slots: dict[str, template.Slot] = {key: template.text(said) for key, said in hashes.items()}
-    slots |= {"span": of.method.settings[0].reach, "long_ago": LONG_AGO}
-    learning = _learning(of)
-    placed = {"stored_channel": of.reference("channel"), "calibration": of.reference("calibration")}
-    verdicts = ["ready", "blind", "too_fine", "needs_data", "constant", "no_data"]
-    values = {"channel": {key: [said] for key, said in hashes.items()}, "bounds": {"verdict": verdicts}}
-    config = {"materialized": "incremental", "incremental_strategy": "append"}
-    config |= of.adapter.get("config", {})
-    made = []
-    for name, keys in of.calibrated.items():
-        about = f"{'export' if name in ('channel', 'calibration') else 'stored/calibrating'}/{name}_rows"
-        if name == "channel":
-            add(steps, about, slots)
-            query = steps.query("channel_rows", commented=True)
-        else:
-            add(learning, about, tables=None if name == "calibration" else {"numbering": "channels"})
-            query = learning.query(f"{name}_rows", placed, commented=True)
-            query.set("order", None)
-        columns = [exp.column(exp.to_identifier(column)) for column in query.named_selects]
-        nothing = exp.select(*columns).from_(jinja.THIS.copy()).where(exp.Literal.number(1).eq(0))
-        of_name = values.get(name, {})
-        made.append(Model(name, "models/calibration", about, query, nothing, config, keys, of_name))
-    return made
+    slots: dict[str, template.Slot] = {key: template.text(text) for key, text in hashes.items()}
+    add(steps, "export/channel_rows", {**slots, "span": span, "long_ago": LONG_AGO})
+    return steps
+
+
+def _declaring(of: Modelled) -> Pipeline:
+    """Return the steps that give each channel its calibration; the last one is *calibration_rows*."""
+    steps = Pipeline()
+    add_rules(steps, of.method)
+    add(steps, "export/channels")
+    add(steps, "export/calibration_rows")
+    return steps
 
 
 def _learning(of: Modelled) -> Pipeline:
     """Return the steps that learn, over the channels and intervals of the package's own models."""
-    steps = Pipeline(small=frozenset(of.method.small() | set(_LEARNT)))
+    steps = Pipeline()
     allowed = [interval for rule in of.method.rules for interval in rule.allowed]
     edges = min(allowed)[0] - of.margin, max(end for _, end in allowed) + 1 + of.margin
     low, high = (of.instant(template.node_of(edge)) for edge in edges)
@@ -237,92 +275,93 @@ def _learning(of: Modelled) -> Pipeline:
     add(steps, "export/channels")
     limits = union_of(steps, ["channels"], ["channel_id", "calibration_end", "first_scored"])
     steps.add("limits", limits, "Limits: when calibration ends, and from when on is scored.")
-    add_rules(steps, of.method)
     steps.add("readings", rows, template.load("source/readings").comment)
-    add(steps, "source/identified", identified_slots(exp.true(), has_programs(rows)))
-    add(steps, "stored/scoring/repeats", name="timeline")
-    add_samples(steps, of.method.programs)
+    _add_samples(steps, of, exp.true())
     add(steps, "calibration/calibrated")
     add_taught_programs(steps, of.method.programs)
     one = OfSet(steps, of.method, 0)
     add_calibration(one)
     add_judgement(one)
     add_judged_programs(one)
-    add_probe(one)
+    nothing = exp.select(exp.alias_(exp.null(), "support_id")).where(exp.false())
+    if "curve" not in of.parts:
+        steps.replace("outlook", nothing)
+    if "probe" in of.parts:
+        add_probe(one)
+    else:
+        steps.add("sight", nothing)
     add_certified(steps, bool(of.method.pools), of.setting.has_programs)
     return steps
 
 
-def _bucket(of: Modelled) -> Model:
-    """Return the model that grows: a later build reads what is new, by the restart rule."""
-    names = ("channel", "bounds", "support", *["program"] * of.setting.has_programs)
-    placed = {f"stored_{name}": of.reference(name) for name in names}
-    placed["calibration"] = of.reference("calibration")
-    first = _scoring(of, is_later=False).query("bucket_rows", placed, commented=True)
-    steps = _scoring(of, is_later=True)
-    steps.add("rows", union_of(steps, ["bucket_rows", "ended_buckets"]))
-    later = steps.query("rows", {**placed, "stored_bucket": jinja.THIS}, commented=True)
-    ended = exp.delete(jinja.THIS.copy(), where=exp.column("last_time").is_(exp.null()))
-    keys = ("channel_id", "bucket_no")
-    config = {
-        "materialized": "incremental",
-        "incremental_strategy": of.adapter.get("strategy", "delete+insert"),
-        "unique_key": list(keys),
-        **of.adapter.get("config", {}),
-        "post_hook": of.engine.text(ended),
-    }
-    return Model("bucket", "models/health", "export/bucket_rows", first, later, config, keys)
+def _add_samples(steps: Pipeline, of: Modelled, read: exp.Expr) -> None:
+    """Add the readings of channels, and their samples, of which each instant has one."""
+    has_program = of.setting.has_programs
+    add(steps, "source/identified", identified_slots(read, has_program))
+    slots: dict[str, template.Slot] = {"gathered": gathered("reading", of.method.programs)}
+    add(steps, "export/samples", slots)
 
 
-def _scoring(of: Modelled, is_later: bool) -> Pipeline:
-    setting = of.setting
-    steps = Pipeline(small=KEPT | set(_PLANNED))
+def _scoring(of: Modelled) -> Pipeline:
+    """Return the steps from the build before to the buckets of this one, by the restart rule."""
+    setting, steps = of.setting, Pipeline()
     add(steps, "export/active", {"window": setting.window_length, "stride": setting.stride})
-    conditions: list[exp.Expr] = []
-    if is_later:
-        add(steps, "export/visible_bucket", name="stored_visible_bucket")
-        add(steps, "stored/state/newest")
-        never = {"repair_from": FAR_AHEAD, "pruned_stay": 0}
-        add(steps, "stored/scoring/restart", {"lookback": of.lookback, **never})
-        add(steps, "export/cohort", {"far_ahead": FAR_AHEAD})
-        bounds = {"margin": of.margin, "earliest": LONG_AGO if of.method.kind.is_counter else _FIRST}
-        earliest = exp.Subquery(this=filled("export/earliest", bounds))
-        time = template.column(of.source.time)
-        conditions.append(exp.GTE(this=time, expression=of.instant(earliest)))
-    else:
-        # All readings flow past: keeping those of years would cost more than reading them again.
-        steps.small -= {"identified"}
-        add(steps, "export/whole_cohort", {"far_ahead": FAR_AHEAD}, name="cohort")
-    add(steps, "stored/scoring/channels")
-    add(steps, "stored/scoring/bounds", {"settings": []})
-    add(steps, "stored/scoring/support")
-    rows = of.readings(*conditions)
+    add(steps, "export/visible_bucket", name=EARLIER)
+    visible = {"stored_visible_bucket": EARLIER}
+    add(steps, "stored/state/newest", tables=visible)
+    never = {"repair_from": FAR_AHEAD, "pruned_stay": 0}
+    add(steps, "stored/scoring/restart", {"lookback": of.lookback, **never}, tables=visible)
+    add(steps, "export/cohort", {"far_ahead": FAR_AHEAD})
+    for name in ("channels", "bounds"):
+        add(steps, f"stored/scoring/{name}", {"settings": []} if name == "bounds" else None)
+    bounds = {"margin": of.margin, "earliest": LONG_AGO if of.method.kind.is_counter else _FIRST}
+    earliest = exp.Subquery(this=filled("export/earliest", bounds))
+    time = template.column(of.source.time)
+    rows = of.readings(exp.GTE(this=time, expression=of.instant(earliest)))
     steps.add("readings", rows, template.load("source/readings").comment)
     edges = [exp.column(name, table="named") for name in ("read_from", "read_until")]
-    within = exp.column("time", table="reading").between(edges[0], edges[1])
-    add(steps, "source/identified", identified_slots(within, has_programs(rows)))
-    add_counting(steps, setting, of.method.kind, has_past=is_later)
+    within = exp.Between(this=exp.column("time", table="reading"), low=edges[0], high=edges[1])
+    _add_samples(steps, of, within)
+    add(steps, "export/seen")
+    if setting.has_programs:
+        add(steps, "stored/scoring/judged_programs")
+        judged = {"numbered_programs": "judged_programs"}
+        add(steps, "program/program_samples", name=JUDGED, tables=judged)
+    one = OfSet(steps, method_of(setting, of.method.kind), 0)
+    is_told = setting.still_after is not None
+    add_numbered(one, carried=["still_so_far"] * is_told)
+    add_buckets(one, ENDS | ({"still_so_far": "end_still"} if is_told else {}))
+    add(steps, "stored/scoring/bucket_ends")
+    add(steps, "stored/scoring/new_buckets", {"differing": []})
+    add(steps, "stored/scoring/past_buckets", past_slots(setting, exp.true()), tables=visible)
+    columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
+    running = union_of(steps, ["past_buckets", "new_buckets"], columns)
+    comment = "Running buckets: the new ones, after the last window of those that stay."
+    steps.add("running_buckets", running, comment)
+    one.add("health/bucket_counts", tables={"buckets": "running_buckets"})
     add(steps, "export/bucket_rows")
-    if is_later:
-        add(steps, "export/ended_buckets")
+    add(steps, "export/ended_buckets", tables=visible)
     return steps
 
 
-def _views(of: Modelled) -> list[Model]:
-    names = ("channel", "bounds", "bucket", *["block"] * bool(of.method.pools))
-    placed = {f"stored_{name}": of.reference(name) for name in names}
+def _views(of: Modelled) -> Pipeline:
+    """Return the steps of the views."""
     steps = Pipeline()
-    add(steps, f"export/{'vouched' if of.method.pools else 'certified'}", name="certified")
+    certified = {"certified": "channel_limit"}
+    file = "vouched" if of.method.pools else "certified"
+    add(steps, f"export/{file}", name="channel_certificate")
     limits = limit_slots(template.node_of(float(of.method.settings[0].target_floor)))
-    add(steps, "export/assessed", {**limits, "stride": of.setting.stride})
+    names = steps.steps["channel_certificate"].query.named_selects
+    columns = [exp.column(name, table="learnt") for name in names if name != "channel_id"]
+    learnt = {"certified": "channel_certificate"}
+    add(steps, "export/limited", {**limits, "columns": columns}, "channel_limit", learnt)
+    add(steps, "export/assessed", {"stride": of.setting.stride}, tables=certified)
     add_judged(steps)
-    made, hook = [], {"pre_hook": of.adapter["before"]} if "before" in of.adapter else {}
-    of_limit: dict[str, template.Slot] = {"hi_limit": limits["hi_limit"]}
     of_window: dict[str, template.Slot] = {"window": of.setting.window_length}
-    for name, times_of, slots, keys in (
-        ("health", ("first_time", "last_time"), of_limit, ("asset", "channel", "bucket")),
-        ("fleet", ("last_tick", "since_tick"), of_window, ("asset", "channel")),
-        ("machine", ("since_tick", "last_tick"), {}, ("asset",)),
+    for name, times_of, slots in (
+        ("health", ("first_time", "last_time"), {}),
+        ("fleet", ("last_tick", "since_tick"), of_window),
+        ("machine", ("since_tick", "last_tick"), {}),
     ):
         times: list[exp.Expr] = []
         if not of.method.kind.is_counter:
@@ -330,8 +369,16 @@ def _views(of: Modelled) -> list[Model]:
                 exp.alias_(of.instant(exp.column(column, table="made")), column.replace("tick", "time"))
                 for column in times_of
             ]
-        add(steps, f"export/{name}", {"times": times, **slots})
-        query = steps.query(name, placed)
-        config = {"materialized": "view", **hook}
-        made.append(Model(name, "models/health", f"export/{name}", query, config=config, keys=keys))
-    return made
+        add(steps, f"export/{name}", {"times": times, **slots}, tables=certified)
+    return steps
+
+
+def left_out(of: Modelled) -> set[str]:
+    """Return the columns of models that the settings of a package leave without a value."""
+    absent = {column for part, columns in LEFT_OUT.items() if part not in of.parts for column in columns}
+    if not is_robust(of.method.settings[0]):
+        absent |= set(DROPPED)
+    if not of.method.pools:
+        absent |= {"teachers", "vouched_by", "only_teacher"}
+        absent |= {f"member_{name}" for name in _MEMBER}
+    return absent

@@ -4,7 +4,7 @@ This module owns which step becomes a table, which a view, and which is spelled 
 """
 
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
 from sqlglot import exp
 
@@ -69,14 +69,11 @@ class Script:
     def _tidied(self, results: Collection[str]) -> dict[str, exp.Query]:
         queries = {name: step.query for name, step in self.steps.steps.items()}
         tidy_steps = tidied(queries, results)
-        readers = [reader for reader in tidy_steps.values() if _reads(reader, "readings")]
+        readers = [reader for reader in tidy_steps.values() if reads(reader, "readings")]
         if len(readers) == 1:
             inlined(readers[0], "readings", tidy_steps.pop("readings"))
         objects = self._kept(tidy_steps) if self.results == results else list(tidy_steps)
-        for name in [name for name in tidy_steps if name not in objects]:
-            readers = [query for query in tidy_steps.values() if _reads(query, name)]
-            if len(readers) == 1 and _is_all_it_reads(readers[0], name):
-                inlined(readers[0], name, tidy_steps.pop(name))
+        inline_single(tidy_steps, objects)
         columns = dict(tidy_steps)
         return {name: shortened(query, self.engine.brief, columns) for name, query in tidy_steps.items()}
 
@@ -153,20 +150,11 @@ class Script:
         tables = [name for name in objects if self._kind(name) == "TABLE"]
         return [name for name in tables if name not in read and name not in self.results]
 
-    def _kept(self, queries: dict[str, exp.Query]) -> list[str]:
+    def _kept(self, queries: Mapping[str, exp.Query]) -> list[str]:
         """Return the steps that are tables or views: the others have one reader among these."""
-        readers: dict[str, set[str]] = {}
-        objects: list[str] = []
-        for name in reversed(list(queries)):
-            owners: set[str] = set()
-            for reader, query in queries.items():
-                if _reads(query, name):
-                    owners |= {reader} if reader in objects else readers[reader]
-            readers[name] = owners
-            is_kept = _stem(name) in KEPT or len(owners) > 1
-            if name in self.results or is_kept:
-                objects.append(name)
-        return objects[::-1]
+        return owners_of(
+            queries, lambda name, owners: name in self.results or _stem(name) in KEPT or owners > 1
+        )
 
     def _kind(self, name: str) -> str:
         return "VIEW" if _stem(name) in VIEWS else "TABLE"
@@ -174,38 +162,12 @@ class Script:
     def _composed(
         self,
         name: str,
-        queries: dict[str, exp.Query],
-        tables: dict[str, exp.Table],
+        queries: Mapping[str, exp.Query],
+        tables: Mapping[str, exp.Table],
         commented: bool = False,
     ) -> exp.Query:
-        """Return the query of a step over the tables there are; others it needs are its WITH list."""
-        needed: list[str] = []
-        pending = [name]
-        while pending:
-            reader = pending.pop()
-            for step in queries:
-                if step not in tables and step not in needed and _reads(queries[reader], step):
-                    needed.append(step)
-                    pending.append(step)
-        query = queries[name].copy()
-        tables_by_step = {step: table for step, table in tables.items() if step != name}
-        tables_by_step |= {
-            step: exp.to_table(f"gam_step_{step}") for step in needed if step in self.taken
-        }
-        _place(query, tables_by_step)
-        entries = []
-        for step in (step for step in queries if step in needed):
-            body = queries[step].copy()
-            _place(body, tables_by_step)
-            if commented:
-                body.comments = [self.steps.steps[step].made.comment]
-            name = tables_by_step[step].name if step in tables_by_step else step
-            entries.append(exp.CTE(this=body, alias=exp.TableAlias(this=exp.to_identifier(name))))
-        if isinstance(query, exp.SetOperation) and (entries or not tables):
-            query = selected_from(query)
-        if entries:
-            query.set("with_", exp.With(expressions=entries))
-        return query
+        comments = {step: of.made.comment for step, of in self.steps.steps.items()} if commented else {}
+        return composed(name, queries, tables, self.taken, comments)
 
     def _text(self, tree: exp.Expr) -> str:
         return laid_out(self.engine.text(tree), self.engine.dialect)
@@ -215,14 +177,85 @@ class Script:
         return "\n".join(commented(PAGES.sub("", first)))
 
 
+def composed(
+    name: str,
+    queries: Mapping[str, exp.Query],
+    tables: Mapping[str, exp.Table],
+    taken: Collection[str] = (),
+    comments: Mapping[str, str] | None = None,
+) -> exp.Query:
+    """Return the query of a step over the tables there are; others it needs are its WITH list.
+
+    Args:
+        name: of the step.
+        queries: tidied, by name, each after those that it reads.
+        tables: the steps that are tables, views or models.
+        taken: names that no step of the list may bear.
+        comments: of steps in the list, by name.
+    """
+    needed: list[str] = []
+    pending = [name]
+    while pending:
+        reader = pending.pop()
+        for step in queries:
+            if step not in tables and step not in needed and reads(queries[reader], step):
+                needed.append(step)
+                pending.append(step)
+    query = queries[name].copy()
+    tables_by_step = {step: table for step, table in tables.items() if step != name}
+    tables_by_step |= {step: exp.to_table(f"gam_step_{step}") for step in needed if step in taken}
+    _place(query, tables_by_step)
+    entries = []
+    for step in (step for step in queries if step in needed):
+        body = queries[step].copy()
+        _place(body, tables_by_step)
+        if comments:
+            body.comments = [comments[step]]
+        alias = tables_by_step[step].name if step in tables_by_step else step
+        entries.append(exp.CTE(this=body, alias=exp.TableAlias(this=exp.to_identifier(alias))))
+    if isinstance(query, exp.SetOperation) and (entries or not tables):
+        query = selected_from(query)
+    if entries:
+        query.set("with_", exp.With(expressions=entries))
+    return query
+
+
+def inline_single(queries: dict[str, exp.Query], objects: Collection[str]) -> None:
+    """Let a step that is no object be spelled out by its only reader, if that reads nothing else."""
+    for name in [name for name in queries if name not in objects]:
+        readers = [query for query in queries.values() if reads(query, name)]
+        if len(readers) == 1 and _is_all_it_reads(readers[0], name):
+            inlined(readers[0], name, queries.pop(name))
+
+
+def owners_of(queries: Mapping[str, exp.Query], is_object: Callable[[str, int], bool]) -> list[str]:
+    """Return the steps that are objects of their own, in order.
+
+    Whether a step is one follows from its name and from how many objects read it, itself or through
+    steps that are none.
+    """
+    readers: dict[str, set[str]] = {}
+    objects: list[str] = []
+    for name in reversed(list(queries)):
+        owners: set[str] = set()
+        for reader, query in queries.items():
+            if reads(query, name):
+                owners |= {reader} if reader in objects else readers[reader]
+        readers[name] = owners
+        if is_object(name, len(owners)):
+            objects.append(name)
+    return objects[::-1]
+
+
 def _place(query: exp.Query, tables_by_step: dict[str, exp.Table]) -> None:
     """Let a query read tables; one of which no column is named by it keeps its own name."""
     for select in query.find_all(exp.Select):
         named = {column.table for column in own_columns(select)}
+        steps = [step_of(source, tables_by_step) for source, _ in sources_of(select)]
         for source, _ in sources_of(select):
             if (step := step_of(source, tables_by_step)) is not None:
                 target = tables_by_step[step].copy()
-                if source.alias_or_name in named:
+                if source.alias_or_name in named or steps.count(step) > 1:
                     target.set("alias", exp.TableAlias(this=exp.to_identifier(source.alias_or_name)))
                 source.replace(target)
 
@@ -234,7 +267,8 @@ def _is_all_it_reads(reader: exp.Query, name: str) -> bool:
     return is_whole and len(tables) == 1 and step_of(tables[0], (name,)) is not None
 
 
-def _reads(query: exp.Expr, name: str) -> bool:
+def reads(query: exp.Expr, name: str) -> bool:
+    """Tell whether a query reads a step."""
     return any(step_of(table, (name,)) for table in query.find_all(exp.Table))
 
 

@@ -20,11 +20,11 @@ from gam_db.engines.base import Engine
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
 from gam_db.export.printing import OF_SIGNAL, Script
 from gam_db.method import Method, pipeline
-from gam_db.method.printed import PARTS, printed_pipeline
+from gam_db.method.printed import PARTS, parts_of, printed_pipeline
 from gam_db.reading.ahead import latest_live
 from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration
-from gam_db.settings.parameters import ROBUST, Parameters
+from gam_db.settings.parameters import Parameters
 from gam_db.settings.setting import settings_of
 from gam_db.settings.source import (
     AnySource,
@@ -136,14 +136,6 @@ def render(
         for comment, statement in statements
     )
     return f"{_commented(head)}\n{begin}\n{body}"
-
-
-def parts_of(parameters: Parameters, without: Collection[str] | None = None) -> list[str]:
-    """Return the parts of a script in the view form; see :func:`render`."""
-    if without is None:
-        is_paper = all(variant.range != ROBUST for variant in parameters.variants())
-        without = ("curve", "probe") if is_paper else ()
-    return [part for part in PARTS if part not in without and "certificate" not in without]
 
 
 def _view_statements(

@@ -32,10 +32,20 @@ from gam_db.method.vectors import (
     delays_of,
 )
 from gam_db.settings.calibration import Rule
+from gam_db.settings.parameters import ROBUST, Parameters
 from gam_db.settings.source import TimeNode
 
 #: What may be left out of a script.
 PARTS = ("certificate", "curve", "probe")
+
+#: The columns of a certificate that only one part fills.
+LEFT_OUT: Mapping[str, tuple[str, ...]] = {
+    "curve": ("vectors_needed",),
+    "probe": (
+        *("usual_low", "usual_middle", "usual_high", "sees", "sees_half_stroke", "sees_frozen"),
+        *("sees_faster", "sees_slower", "would_not_see", "blind_reason"),
+    ),
+}
 
 #: The last steps, and of which part they are.
 RESULTS: Mapping[str, str] = {
@@ -44,6 +54,14 @@ RESULTS: Mapping[str, str] = {
     "certificate": "certificate",
     "probes": "probe",
 }
+
+
+def parts_of(parameters: Parameters, without: Collection[str] | None = None) -> list[str]:
+    """Return the parts of a script or a package; see :func:`gam_db.export.script.render`."""
+    if without is None:
+        is_paper = all(variant.range != ROBUST for variant in parameters.variants())
+        without = ("curve", "probe") if is_paper else ()
+    return [part for part in PARTS if part not in without and "certificate" not in without]
 
 
 def printed_pipeline(
@@ -292,7 +310,7 @@ def _add_certificate(one: OfSet, parts: Collection[str], edges: Mapping[str, exp
         columns = _columns(one, verdicts)
         one.add("script/certified", {**rules, "columns": columns}, tables={"verdicts": verdicts})
         verdicts = "certified"
-        learnt += [exp.column(name, table="learnt") for name in _SIGHT]
+        learnt += [exp.column(name, table="learnt") for name in LEFT_OUT["probe"]]
         blind = exp.column("blind_reason", table="learnt").is_(exp.null())
         verdict = exp.Case(ifs=[exp.If(this=blind, true=verdict)], default=template.text("blind"))
     limits = limit_slots(template.node_of(float(setting.target_floor)))
@@ -339,12 +357,6 @@ def _where_learnt(name: str) -> exp.Expr:
     """Return a column of what a channel has learnt, NULL where it has learnt nothing."""
     hit = exp.column("hit", table="learnt").eq(1)
     return exp.Case(ifs=[exp.If(this=hit, true=exp.column(name, table="learnt"))])
-
-
-_SIGHT = (
-    *("usual_low", "usual_middle", "usual_high", "sees", "sees_half_stroke", "sees_frozen"),
-    *("sees_faster", "sees_slower", "would_not_see", "blind_reason"),
-)
 
 
 def _columns(one: OfSet, step: str) -> list[exp.Expr]:

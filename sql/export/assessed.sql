@@ -1,14 +1,13 @@
 -- Assessed, dbt form: each channel with what it is judged by, and what its buckets say.
--- Reads:  stored_channel, certified, stored_bucket
+-- Reads:  certified, stored_bucket
 -- A row:  one channel; hi is NULL until a window is scored. since_tick is the end of the first bucket of the unbroken
 --         run above hi_limit that goes on, window_from_tick where the window of that bucket begins; NULL if below.
--- Slots:  :hi_limit, :limit_reason  the expressions of judgement/hi_limit.sql and judgement/limit_reason.sql
---         :stride                   vectors per bucket
+-- Slots:  :stride  vectors per bucket
 SELECT
-  known.channel_id AS channel_id,
+  learnt.channel_id AS channel_id,
   learnt.verdict AS verdict,
-  :hi_limit AS hi_limit,
-  :limit_reason AS limit_reason,
+  learnt.hi_limit AS hi_limit,
+  learnt.limit_reason AS limit_reason,
   CASE
     WHEN shown.hit = 1 AND shown.novel_in_window IS NOT NULL
       THEN CAST(shown.novel_in_window AS DOUBLE) / CAST(shown.window_length AS DOUBLE)
@@ -26,8 +25,7 @@ SELECT
   CASE WHEN shown.hit = 1 THEN shown.last_time END AS last_tick,
   CASE WHEN shown.hit = 1 THEN shown.since_tick END AS since_tick,
   CASE WHEN shown.hit = 1 THEN shown.window_from_tick END AS window_from_tick
-FROM stored_channel AS known
-JOIN certified AS learnt ON learnt.channel_id = known.channel_id
+FROM certified AS learnt
 LEFT JOIN (
   SELECT
     placed.channel_id AS channel_id,
@@ -77,16 +75,15 @@ LEFT JOIN (
         full_bucket.out_of_range AS out_of_range,
         full_bucket.novel_in_window AS novel_in_window,
         CASE
-          WHEN full_bucket.novel_in_window IS NULL OR :hi_limit IS NULL THEN 0
           WHEN CAST(full_bucket.novel_in_window AS DOUBLE) / CAST(full_bucket.window_length AS DOUBLE)
-            > :hi_limit THEN 1
+            > learnt.hi_limit
+            THEN 1
           ELSE 0
         END AS is_above
       FROM stored_bucket AS full_bucket
-      JOIN stored_channel AS known ON known.channel_id = full_bucket.channel_id
-      JOIN certified AS learnt ON learnt.channel_id = known.channel_id
+      JOIN certified AS learnt ON learnt.channel_id = full_bucket.channel_id
       WHERE full_bucket.last_time IS NOT NULL
     ) AS above
   ) AS placed
   GROUP BY placed.channel_id, placed.newest_no
-) AS shown ON shown.channel_id = known.channel_id
+) AS shown ON shown.channel_id = learnt.channel_id

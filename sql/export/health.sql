@@ -2,8 +2,7 @@
 -- channel, bucket and on the two ticks reach the stored rows.
 -- Reads:  stored_channel, certified, stored_bucket
 -- A row:  one bucket; hi is NULL until a window is scored.
--- Slots:  :times     first_time and last_time as the source tells time; nothing where it counts
---         :hi_limit  the expression of judgement/hi_limit.sql
+-- Slots:  :times  first_time and last_time as the source tells time; nothing where it counts
 SELECT
   known.asset AS asset,
   known.channel AS channel,
@@ -21,7 +20,7 @@ SELECT
       THEN CAST(made.novel_in_window AS DOUBLE) / CAST(made.window_length AS DOUBLE)
   END AS hi,
   learnt.verdict AS verdict,
-  :hi_limit AS hi_limit
+  learnt.hi_limit AS hi_limit
 FROM stored_bucket AS made
 JOIN stored_channel AS known ON known.channel_id = made.channel_id
 JOIN certified AS learnt ON learnt.channel_id = known.channel_id

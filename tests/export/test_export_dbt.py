@@ -168,12 +168,13 @@ def test_tables_are_those_of_the_stored_form(calibration: dict[str, Any], gap: i
         monitor.score()
         builder = Builder(package(parameters=parameters, calibration=rule).files(), connection)
         builder.build()
-        for model in builder.models:
+        for model in builder.built:
             name = model.removeprefix("gam_")
             columns = connection.sql(f"SELECT * FROM {model} LIMIT 0").columns
             stored = connection.sql(f"SELECT * FROM {STATE(name)} LIMIT 0").columns
             if name in ("health", "fleet"):
-                assert set(stored) - ONLY_STORED == set(columns) | set(_dates(name))
+                pooled = {"vouched_by", "only_teacher"} if not rule.pool else set()
+                assert set(stored) - ONLY_STORED - pooled == set(columns) | set(_dates(name))
             shared = [f'"{column}"' for column in columns if column in stored]
             of_both = [
                 named(builder.rows(f"SELECT {', '.join(shared)} FROM {table}"), *known)
@@ -340,6 +341,37 @@ def test_a_package_holds_what_dbt_reads(engine: str) -> None:
     assert "{% test gam_unique_combination(model, columns) %}" in "".join(files.values())
 
 
+#: A package as in the paper, and one with all that is default, of a plain table.
+PLAIN = {
+    "paper": gam_db.Parameters.paper(),
+    "default": gam_db.Parameters(m=3, tau=1, bins=20, window=1000),
+}
+
+
+@pytest.mark.parametrize("engine", ADAPTERS)
+@pytest.mark.parametrize("settings", PLAIN)
+def test_models_are_short(settings: str, engine: str) -> None:
+    source = gam_db.Source("telemetry", time_kind="timestamp")
+    healthy = gam_db.Calibration(intervals=[("2026-01-01", "2026-01-31")])
+    made = package(source=source, parameters=PLAIN[settings], calibration=healthy, engine=engine).files()
+    models = {path: text.splitlines() for path, text in made.items() if path.endswith(".sql")}
+    assert {path.split("/")[1] for path in models if path.startswith("models/")} == {
+        *("staging", "intermediate", "mart")
+    }
+    assert max(len(lines) for lines in models.values()) <= 120
+    assert max(len(line) for lines in models.values() for line in lines) <= 100
+    if settings == "paper":
+        assert sum(len(lines) for lines in models.values()) <= 1200
+
+
+def test_a_package_has_no_columns_for_what_it_leaves_out() -> None:
+    whole, short = (package(without=without).files() for without in ((), ("curve", "probe")))
+    assert "models/intermediate/gam_probe.sql" in whole.keys() - short.keys()
+    for column in ("vectors_needed", "sees_frozen", "blind_reason"):
+        assert any(column in text for path, text in whole.items() if path.startswith("models/"))
+        assert not any(column in text for path, text in short.items() if path.startswith("models/"))
+
+
 def test_settings_of_another_package_are_told_apart() -> None:
     """The test of settings_hash stops a build before anything is scored under a mix."""
     hashes = [
@@ -436,20 +468,6 @@ def test_the_command_writes_a_package_for_a_table_it_can_see(tmp_path: Path) -> 
     files = {str(path.relative_to(folder)): path.read_text() for path in folder.rglob("*.*")}
     with duckdb.connect(str(database)) as connection:
         builder = Builder(dict(sorted(files.items())), connection)
-        order = (
-            "channel",
-            "calibration",
-            "bounds",
-            "support",
-            "block",
-            "ladder",
-            "probe",
-            "bucket",
-            "health",
-            "fleet",
-            "machine",
-        )
-        builder.models = {f"gam_{name}": builder.models[f"gam_{name}"] for name in order}
         builder.build()
         (found,) = builder.rows(
             "SELECT asset, channel, count(*) AS n, max(last_time) AS t FROM gam_health GROUP BY ALL"

@@ -11,12 +11,15 @@ import duckdb
 
 TELEMETRY = "telemetry"
 
-_CONFIG = re.compile(r"\{\{ config\((.*)\) \}\}\n")
+_CONFIG = re.compile(r"\{\{ config\((.*?)\) \}\}\n", re.DOTALL)
 _FORMS = re.compile(r"\{% if is_incremental\(\) %\}(.*)\{% else %\}(.*)\{% endif %\}", re.DOTALL)
-_NAMES = {
-    re.compile(r"\{\{ ref\('([^']*)'\) \}\}"): r'main."\1"',
-    re.compile(r"\{\{ source\('gam_source', 'telemetry'\) \}\}"): f'main."{TELEMETRY}"',
-}
+_BEFORE = re.compile(
+    r"\{% set before = adapter.get_relation\(this.database, this.schema, '([^']*)'\) %\}\n"
+    r"\{% if before is not none and not should_full_refresh\(\) %\}(.*)\{% else %\}(.*)\{% endif %\}",
+    re.DOTALL,
+)
+_REFERENCE = re.compile(r"\{\{ ref\('([^']*)'\) \}\}")
+_SOURCE = "{{ source('gam_source', 'telemetry') }}"
 
 
 class Builder:
@@ -28,16 +31,33 @@ class Builder:
             for path, text in files.items()
             if path.startswith("models/") and path.endswith(".sql")
         }
+        self.models = {name: self.models[name] for name in self._ordered()}
         self.connection = connection
         self.built: set[str] = set()
+
+    def _ordered(self) -> list[str]:
+        """The models, each after those that it reads."""
+        order: list[str] = []
+
+        def visit(name: str) -> None:
+            for read in _REFERENCE.findall(self.models[name]):
+                visit(read)
+            if name not in order:
+                order.append(name)
+
+        for name in self.models:
+            visit(name)
+        return order
 
     def build(self, full_refresh: bool = False) -> None:
         """Build all models; the first build of a model is a full one anyway."""
         for name, text in self.models.items():
             config = self.config(text)
+            if config["materialized"] == "ephemeral":
+                continue
             is_incremental = config["materialized"] == "incremental"
             is_later = is_incremental and name in self.built and not full_refresh
-            query = self.rendered(name, text, is_later)
+            query = self.rendered(name, text, is_later, full_refresh)
             this = f'main."{name}"'
             if is_later:
                 self._add(this, query, config)
@@ -60,14 +80,32 @@ class Builder:
         found: dict[str, Any] = eval(f"dict({said})", {"true": True, "false": False})
         return found
 
-    @staticmethod
-    def rendered(name: str, text: str, is_later: bool) -> str:
-        """The query of a model; nothing of Jinja may be left."""
+    def rendered(self, name: str, text: str, is_later: bool, full_refresh: bool = False) -> str:
+        """The query of a model, over the ephemeral ones that it reads; nothing of Jinja may be left."""
+        lists: dict[str, str] = {}
+        body = self._body(name, text, is_later, full_refresh, lists)
+        if not lists:
+            return body
+        entries = ",\n".join(f"{entry} AS ({query})" for entry, query in lists.items())
+        return f"WITH {entries}\nSELECT * FROM ({body}) AS rows_of_model"
+
+    def _body(
+        self, name: str, text: str, is_later: bool, full_refresh: bool, lists: dict[str, str]
+    ) -> str:
         body = _CONFIG.sub("", text)
         body = _FORMS.sub(r"\1" if is_later else r"\2", body)
-        for written, meant in _NAMES.items():
-            body = written.sub(meant, body)
-        body = body.replace("{{ this }}", f'main."{name}"')
+        if match := _BEFORE.search(body):
+            is_there = match[1] in self.built and not full_refresh
+            body = match[2].replace("{{ before }}", f'main."{match[1]}"') if is_there else match[3]
+        for read in dict.fromkeys(_REFERENCE.findall(body)):
+            place = f'main."{read}"'
+            if self.config(self.models[read])["materialized"] == "ephemeral":
+                place = f"__dbt__cte__{read}"
+                if place not in lists:
+                    query = self._body(read, self.models[read], False, full_refresh, lists)
+                    lists[place] = query
+            body = body.replace(f"{{{{ ref('{read}') }}}}", place)
+        body = body.replace(_SOURCE, f'main."{TELEMETRY}"').replace("{{ this }}", f'main."{name}"')
         assert not re.search(r"[{}]", body), body
         return body
 
