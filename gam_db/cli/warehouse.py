@@ -31,7 +31,7 @@ Form = Literal["exact", "view", "monitor"]
 
 
 UNPROBED = (
-    "The script does not ask what would be seen: a channel that it calls ready may not show a change. "
+    "This SQL does not ask what would be seen: a channel that it calls ready may not show a change. "
     "--without nothing prints the probe, too; gam run tells at once."
 )
 
@@ -72,7 +72,7 @@ def compile(
         settings = dataclasses.replace(settings, source=placed)
     source = described(settings, engine_named(engine).guard is not None)
     prefix = "gam_live_" if prefix is None else prefix
-    parts = None if not without else [part for part in without if part != "nothing"]
+    parts = _parts(without)
     _write(render(form, engine, source, parameters, calibration, prefix, schema, parts), out)
     printed = parts_of(parameters, parts) if form == "view" else []
     if "certificate" in printed and "probe" not in printed:
@@ -150,6 +150,7 @@ def dbt(
     folder: Path = argument("dbt.folder"),
     engine: str = option("dbt.engine", "duckdb", names=", ".join(ADAPTERS)),
     schema: str | None = option("dbt.schema"),
+    without: list[str] | None = option("dbt.without"),
 ) -> None:
     """Write a dbt package that keeps the health indicator of SOURCE up to date in the warehouse.
 
@@ -159,12 +160,20 @@ def dbt(
     """
     parameters, calibration = settings.method()
     kept = settings.monitor
-    how = (engine, schema, kept.prefix, kept.lookback, kept.park_after)
+    parts = _parts(without)
+    how = (engine, schema, kept.prefix, kept.lookback, kept.park_after, parts)
     written = write(Package(described(settings), parameters, calibration, *how), folder)
     print(
         f"{len(written)} files of a dbt package are in {folder}. README.md there says what it holds; "
         "`dbt build` builds it."
     )
+    if "probe" not in parts_of(parameters, parts):
+        print(f"gam: {UNPROBED}", file=sys.stderr)
+
+
+def _parts(without: list[str] | None) -> list[str] | None:
+    """Return what the user leaves out; None where that follows from the settings."""
+    return None if not without else [part for part in without if part != "nothing"]
 
 
 @export.command()

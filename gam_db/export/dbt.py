@@ -92,6 +92,8 @@ class Package:
 
     def files(self) -> dict[str, str]:
         """Return the text of each file by its path in the package."""
+        if unknown := set(self.without or ()) - {"curve", "probe"}:
+            raise wrong("dbt_without", part=min(unknown))
         catalog, place, table = self._place()
         engine = engine_named(self.engine)
         if (adapter := ADAPTERS.get(self.engine)) is None:
@@ -287,6 +289,13 @@ _OF_PROGRAMS = (
 )
 
 
+#: What it says where the probe is left out.
+_UNPROBED = """
+
+The models do not ask what would be seen: a channel that is `ready` may not show a change. Export with
+`--without nothing` to have `gam_probe` and the verdict `blind`."""
+
+
 def readme(of: Modelled, table: str) -> str:
     """Return what somebody who opens the package should know first."""
     built = (
@@ -307,5 +316,6 @@ def readme(of: Modelled, table: str) -> str:
         lookback=of.lookback,
         unit="steps of the counter" if of.method.kind.is_counter else "microseconds",
         table=table,
+        unprobed="" if "probe" in of.parts else _UNPROBED,
         programs=_OF_PROGRAMS.format(prefix=of.prefix) if of.setting.has_programs else "",
     )

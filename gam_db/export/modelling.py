@@ -24,7 +24,7 @@ from gam_db.export.models import (
     left_out,
     package_steps,
 )
-from gam_db.export.printing import PAGES, SENTENCE, composed, inline_single, owners_of, reads
+from gam_db.export.printing import PAGES, SENTENCE, composed, inline_single, owners_of, spelled_out
 
 #: Lines of a file at most, as far as steps can be parted.
 LONGEST = 120
@@ -40,7 +40,7 @@ _STAGING = ("readings", "identified", "samples", "names", "channel", "calibratio
 
 
 #: What a title says of the form that a file is for.
-FORM = re.compile(r", (dbt|stored) form(?=:)")
+FORM = re.compile(r"( rows)?(, (dbt|stored) form)?(?=:)")
 
 
 @dataclass(frozen=True)
@@ -70,6 +70,7 @@ def models(of: Modelled) -> list[Model]:
     queries = {name: step.query.copy() for name, step in package.steps.items()}
     absent = left_out(of)
     for name in keys:
+        queries[name].set("order", None)
         for select in selects_of(queries[name])[-1:]:
             held = [part for part in select.expressions if part.alias_or_name not in absent]
             select.set("expressions", held)
@@ -109,23 +110,21 @@ class _Files:
         while pending:
             name = pending.pop()
             while (step := self._to_part(name)) is not None:
-                self.objects.append(step)
-                pending.append(step)
+                before = set(self.objects)
+                self.objects = self._with(step)
+                pending += [of for of in self.objects if of not in before]
         return [name for name in self.queries if name in self.objects]
+
+    def _with(self, step: str) -> list[str]:
+        """Return the models if a step is one, too: with it all steps that several would spell out."""
+        held = {*self.objects, step}
+        return owners_of(self.queries, lambda name, owners: name in held or owners > 1)
 
     def _to_part(self, name: str) -> str | None:
         """Return the step of a WITH list that ends the first half of a file that is too long."""
         if self._body(name).count("\n") < LONGEST - 12:
             return None
-        inner: list[str] = []
-        pending = [name]
-        while pending:
-            reader = self.queries[pending.pop()]
-            for step in self.queries:
-                if step not in self.objects and step not in inner and reads(reader, step):
-                    inner.append(step)
-                    pending.append(step)
-        ordered = [step for step in self.queries if step in inner]
+        ordered = spelled_out(name, self.queries, self.objects)
         lengths = [self._text(self.queries[step].copy()).count("\n") + 3 for step in ordered]
         half = self._body(name).count("\n") / 2
         for place, step in enumerate(ordered):

@@ -42,7 +42,7 @@ from gam_db.reading.ahead import latest_live
 from gam_db.settings.source import AnySource, under
 from gam_db.stored.calibrating import method_hash
 from gam_db.stored.planning.setting import Setting
-from gam_db.stored.planning.steps import DAY, ENDS, method_of, past_slots
+from gam_db.stored.planning.steps import DAY, ENDS, method_of
 from gam_db.stored.sources import described
 
 #: What dbt runs on, by engine; see the file.
@@ -76,7 +76,7 @@ CHECKS = {
     "unjudged_programs": "programs_are_judged",
 }
 
-#: The step that reads what is there from the build before.
+#: The step that reads what the build before left.
 EARLIER = "earlier_bucket"
 
 #: What a pool says of members that taught nothing.
@@ -305,12 +305,8 @@ def _add_samples(steps: Pipeline, of: Modelled, read: exp.Expr) -> None:
 def _scoring(of: Modelled) -> Pipeline:
     """Return the steps from the build before to the buckets of this one, by the restart rule."""
     setting, steps = of.setting, Pipeline()
-    add(steps, "export/active", {"window": setting.window_length, "stride": setting.stride})
-    add(steps, "export/visible_bucket", name=EARLIER)
-    visible = {"stored_visible_bucket": EARLIER}
-    add(steps, "stored/state/newest", tables=visible)
-    never = {"repair_from": FAR_AHEAD, "pruned_stay": 0}
-    add(steps, "stored/scoring/restart", {"lookback": of.lookback, **never}, tables=visible)
+    add(steps, f"export/{EARLIER}")
+    add(steps, "export/restart", {"lookback": of.lookback})
     add(steps, "export/cohort", {"far_ahead": FAR_AHEAD})
     for name in ("channels", "bounds"):
         add(steps, f"stored/scoring/{name}", {"settings": []} if name == "bounds" else None)
@@ -333,14 +329,13 @@ def _scoring(of: Modelled) -> Pipeline:
     add_buckets(one, ENDS | ({"still_so_far": "end_still"} if is_told else {}))
     add(steps, "stored/scoring/bucket_ends")
     add(steps, "stored/scoring/new_buckets", {"differing": []})
-    add(steps, "stored/scoring/past_buckets", past_slots(setting, exp.true()), tables=visible)
-    columns = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
-    running = union_of(steps, ["past_buckets", "new_buckets"], columns)
+    add(steps, "export/past_buckets", {"buckets": setting.window_length // setting.stride})
+    running = union_of(steps, ["past_buckets", "new_buckets"], ["channel_id", "bucket_no", "novel"])
     comment = "Running buckets: the new ones, after the last window of those that stay."
     steps.add("running_buckets", running, comment)
     one.add("health/bucket_counts", tables={"buckets": "running_buckets"})
     add(steps, "export/bucket_rows")
-    add(steps, "export/ended_buckets", tables=visible)
+    add(steps, "export/ended_buckets")
     return steps
 
 

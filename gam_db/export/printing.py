@@ -4,7 +4,7 @@ This module owns which step becomes a table, which a view, and which is spelled 
 """
 
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping
 
 from sqlglot import exp
 
@@ -193,20 +193,13 @@ def composed(
         taken: names that no step of the list may bear.
         comments: of steps in the list, by name.
     """
-    needed: list[str] = []
-    pending = [name]
-    while pending:
-        reader = pending.pop()
-        for step in queries:
-            if step not in tables and step not in needed and reads(queries[reader], step):
-                needed.append(step)
-                pending.append(step)
+    needed = spelled_out(name, queries, tables)
     query = queries[name].copy()
     tables_by_step = {step: table for step, table in tables.items() if step != name}
     tables_by_step |= {step: exp.to_table(f"gam_step_{step}") for step in needed if step in taken}
     _place(query, tables_by_step)
     entries = []
-    for step in (step for step in queries if step in needed):
+    for step in needed:
         body = queries[step].copy()
         _place(body, tables_by_step)
         if comments:
@@ -218,6 +211,17 @@ def composed(
     if entries:
         query.set("with_", exp.With(expressions=entries))
     return query
+
+
+def spelled_out(name: str, queries: Mapping[str, exp.Query], tables: Collection[str]) -> list[str]:
+    """Return the steps that a step needs and that are no tables, in order."""
+    needed: set[str] = set()
+    pending = [name]
+    while pending:
+        found = read_by(queries[pending.pop()], queries) - needed - set(tables)
+        needed |= found
+        pending += found
+    return [step for step in queries if step in needed]
 
 
 def inline_single(queries: dict[str, exp.Query], objects: Collection[str]) -> None:
@@ -234,16 +238,14 @@ def owners_of(queries: Mapping[str, exp.Query], is_object: Callable[[str, int], 
     Whether a step is one follows from its name and from how many objects read it, itself or through
     steps that are none.
     """
-    readers: dict[str, set[str]] = {}
+    readers: dict[str, set[str]] = {name: set() for name in queries}
     objects: list[str] = []
     for name in reversed(list(queries)):
-        owners: set[str] = set()
-        for reader, query in queries.items():
-            if reads(query, name):
-                owners |= {reader} if reader in objects else readers[reader]
-        readers[name] = owners
-        if is_object(name, len(owners)):
+        if is_object(name, len(readers[name])):
             objects.append(name)
+            readers[name] = {name}
+        for step in read_by(queries[name], queries):
+            readers[step] |= readers[name]
     return objects[::-1]
 
 
@@ -270,6 +272,11 @@ def _is_all_it_reads(reader: exp.Query, name: str) -> bool:
 def reads(query: exp.Expr, name: str) -> bool:
     """Tell whether a query reads a step."""
     return any(step_of(table, (name,)) for table in query.find_all(exp.Table))
+
+
+def read_by(query: exp.Expr, steps: Container[str]) -> set[str]:
+    """Return the steps that a query reads."""
+    return {name for table in query.find_all(exp.Table) if (name := step_of(table, steps)) is not None}
 
 
 def _stem(step: str) -> str:

@@ -1,6 +1,6 @@
 -- Ended buckets: those that late rows ended. A late row without a value takes vectors away, and with them the
 -- last bucket; what replaces its row says so by having no times, and is deleted in the same build.
--- Reads:  stored_visible_bucket, cohort, new_buckets
+-- Reads:  earlier_bucket, cohort, new_buckets
 -- A row:  one bucket that was there and is no more.
 SELECT
   member.channel_id AS channel_id,
@@ -13,8 +13,8 @@ SELECT
   CAST(NULL AS BIGINT) AS out_of_range,
   CAST(NULL AS BIGINT) AS novel_in_window,
   CAST(NULL AS BIGINT) AS window_length
-FROM stored_visible_bucket AS ended
-JOIN cohort AS member ON member.version_id = ended.version_id
+FROM earlier_bucket AS ended
+JOIN cohort AS member ON member.channel_id = ended.channel_id
 LEFT JOIN (
   SELECT channel_id, bucket_no, 1 AS hit
   FROM new_buckets

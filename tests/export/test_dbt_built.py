@@ -55,7 +55,7 @@ def scored(
     ("engine", "still_after"),
     [
         ("duckdb", None),
-        pytest.param("postgres", None, marks=pytest.mark.full),
+        ("postgres", None),
         pytest.param("duckdb", 4, marks=pytest.mark.full),
     ],
 )

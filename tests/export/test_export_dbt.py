@@ -331,9 +331,13 @@ def test_a_package_holds_what_dbt_reads(engine: str) -> None:
     }
     assert set(described) == set(models)
     for name, model in described.items():
-        assert model["description"].endswith(".")
+        assert model["description"].endswith((".", "?"))
+        kind = Builder.config(models[name])["materialized"]
+        assert ("columns" in model) == (kind != "ephemeral")
+        if kind == "ephemeral":
+            continue
+        assert kind in ("incremental", "view")
         assert all(len(column["description"]) > 3 for column in model["columns"])
-        assert Builder.config(models[name])["materialized"] in ("incremental", "view")
         assert any("not_null" in column.get("data_tests", []) for column in model["columns"])
     bounds = {column["name"]: column for column in described["gam_bounds"]["columns"]}
     (tested,) = [test for test in bounds["verdict"]["data_tests"] if isinstance(test, dict)]
@@ -348,8 +352,9 @@ PLAIN = {
 }
 
 
-@pytest.mark.parametrize("engine", ADAPTERS)
-@pytest.mark.parametrize("settings", PLAIN)
+@pytest.mark.parametrize(
+    ("settings", "engine"), [("default", "duckdb"), *(("paper", engine) for engine in ADAPTERS)]
+)
 def test_models_are_short(settings: str, engine: str) -> None:
     source = gam_db.Source("telemetry", time_kind="timestamp")
     healthy = gam_db.Calibration(intervals=[("2026-01-01", "2026-01-31")])
@@ -360,7 +365,7 @@ def test_models_are_short(settings: str, engine: str) -> None:
     }
     assert max(len(lines) for lines in models.values()) <= 120
     assert max(len(line) for lines in models.values() for line in lines) <= 100
-    if settings == "paper":
+    if settings == "paper" and engine in ("duckdb", "postgres"):
         assert sum(len(lines) for lines in models.values()) <= 1200
 
 
@@ -375,11 +380,7 @@ def test_a_package_has_no_columns_for_what_it_leaves_out() -> None:
 def test_settings_of_another_package_are_told_apart() -> None:
     """The test of settings_hash stops a build before anything is scored under a mix."""
     hashes = [
-        [
-            line
-            for line in made.files()["models/calibration/schema.yml"].splitlines()
-            if "values: [" in line
-        ]
+        [line for line in made.files()["models/staging/schema.yml"].splitlines() if "values: [" in line]
         for made in (
             package(),
             package(lookback=5, prefix="gam2_"),
@@ -411,6 +412,8 @@ def test_settings_of_another_package_are_told_apart() -> None:
         ("prefix", {"prefix": "1 "}),
         ("--schema", {"source": gam_db.Source("plant.t"), "schema": "lines"}),
         ("lookback", {"lookback": "1 parsec"}),
+        ("certificate", {"without": ["certificate"]}),
+        ("'prob'", {"without": ["prob"]}),
     ],
 )
 def test_what_cannot_be_a_package_is_refused(part: str, changes: dict[str, Any], tmp_path: Path) -> None:
