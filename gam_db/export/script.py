@@ -5,7 +5,7 @@ tables for what calibration found and a plain view over the live source. This mo
 script holds and in which order; it needs no connection and no driver.
 """
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 
 import pyarrow as pa
@@ -13,14 +13,16 @@ from sqlglot import exp
 
 from gam_db.clock import TimeKind, looks_like_calendar
 from gam_db.composing import template
-from gam_db.composing.layout import commented
+from gam_db.composing.brief import shortened
+from gam_db.composing.layout import commented, laid_out
 from gam_db.composing.pipeline import Pipeline
+from gam_db.composing.tidy import tidied
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
-from gam_db.export.printing import OF_SIGNAL, Script
+from gam_db.export.printing import OF_SIGNAL, Script, composed
 from gam_db.method import Method, pipeline
-from gam_db.method.printed import PARTS, parts_of, printed_pipeline
+from gam_db.method.printed import LEFT_OUT, PARTS, RESULTS, parts_of, printed_pipeline
 from gam_db.reading.ahead import latest_live
 from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration
@@ -47,6 +49,8 @@ _PASSING = (
     *("probed", "usual", "probe", "sight", "limited"),
 )
 _LASTING = ("channels", "calibration", "bounds", "support", "programs")
+#: What is said of the views besides what they compute.
+_ABOUT = ("The health indicator over the live source, against what calibration found once.\n", "")
 _RESULTS = ("support_summary", "certificate", "probes")
 
 
@@ -117,63 +121,99 @@ def render(
             table.set("db", template.name(schema))
         return table
 
+    rows = chosen.readings(source, relation, kind, until=latest_live(source, chosen, kind))
+    parts, instant = parts_of(parameters, without), partial(chosen.instant_of, kind)
     if not method.pools and method.programs is None:
-        rows = chosen.readings(source, relation, kind, until=latest_live(source, chosen, kind))
-        parts = parts_of(parameters, without)
-        instant = partial(chosen.instant_of, kind)
         forms = ("frames" in chosen.brief, "names" in chosen.brief)
         steps = printed_pipeline(method, rows, instant, parts, *forms)
         script = Script(steps, chosen, parts)
         body = script.exact() if form == "exact" else script.view(place)
         return f"{_commented(head)}\n{begin}\n{body}"
-    steps = _steps(method, source, relation, chosen)
+    statements = _Statements(pipeline(method, rows, instant), chosen, parts)
     if form == "exact":
-        query = chosen.text(steps.query("health_indicator", commented=True), pretty=True)
-        return f"{_commented(head)}\n{begin}{query};\n"
-    statements = _view_statements(steps, chosen, place)
+        return f"{_commented(head)}\n{begin}\n{statements.exact()}"
     body = "\n".join(
-        f"{_commented(comment.splitlines())}\n{chosen.text(statement, pretty=True)};\n"
-        for comment, statement in statements
+        f"{_commented(comment.splitlines())}\n{statements.text(statement)};\n"
+        for comment, statement in statements.view(place)
     )
     return f"{_commented(head)}\n{begin}\n{body}"
 
 
-def _view_statements(
-    steps: Pipeline, engine: Engine, place: Callable[[str], exp.Table]
-) -> Iterator[tuple[str, exp.Expr]]:
-    """Give the statements of the view form in order, each with its comment."""
-    names = [name for name in steps.steps if _table_of(name) in (*_PASSING, *_LASTING)]
-    placed: dict[str, exp.Table] = {}
-    yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", place("health"))
-    if "program_summary" in steps.steps:
-        yield "So does what machines ran since.", _drop("VIEW", place("program_summary"))
-    for name in (*names, *_RESULTS):
-        table = place(name)
-        query = steps.query(name, placed, commented=True)
-        query.set("order", None)
-        yield f"{name}: {engine.name} keeps this step as a table.", _drop("TABLE", table)
-        yield steps.steps[name].made.comment, engine.create_table(table, query)
-        placed[name] = table
-    live = {name: table for name, table in placed.items() if _table_of(name) in _LASTING}
-    view = steps.query("health_indicator", live, commented=True)
-    view.set("order", None)
-    yield (
-        "The health indicator over the live source, against what calibration found once.\n"
-        + steps.steps["health_indicator"].made.comment,
-        exp.Create(this=place("health"), kind="VIEW", expression=view),
-    )
-    if "program_summary" in steps.steps:
-        summary = steps.query("program_summary", live, commented=True)
-        summary.set("order", None)
-        yield (
-            steps.steps["program_summary"].made.comment,
-            exp.Create(this=place("program_summary"), kind="VIEW", expression=summary),
-        )
-    if engine.of_signal is not None and engine.swaps == "replace":
-        yield OF_SIGNAL, engine.of_signal(place("health_of"), place("health"))
-    for name in names:
-        if _table_of(name) in _PASSING:
-            yield f"{name} is no longer needed.", _drop("TABLE", place(name))
+class _Statements:
+    """The statements of a script where channels share supports or machines run programs.
+
+    Args:
+        steps: of :func:`gam_db.method.pipeline`.
+        engine: that the script is for.
+        parts: what the script has.
+    """
+
+    def __init__(self, steps: Pipeline, engine: Engine, parts: Collection[str]) -> None:
+        self.steps, self.engine = steps, engine
+        self.results = [name for name in _RESULTS if RESULTS[name] in parts]
+        self.absent = {
+            column for part, columns in LEFT_OUT.items() if part not in parts for column in columns
+        }
+        for name, part in (("outlook", "curve"), ("sight", "probe")):
+            for step in [step for step in steps.steps if _table_of(step) == name and part not in parts]:
+                steps.replace(step, exp.select(exp.alias_(exp.null(), "support_id")).where(exp.false()))
+
+    def exact(self) -> str:
+        """Return the query of the health indicator, a row per scored vector."""
+        query = self._composed("health_indicator", self._tidied(["health_indicator"]), {})
+        query.set("order", self.steps.steps["health_indicator"].query.args.get("order"))
+        return f"{self.text(query)};\n"
+
+    def view(self, place: Callable[[str], exp.Table]) -> Iterator[tuple[str, exp.Expr]]:
+        """Give the statements of the view form in order, each with its comment."""
+        steps, engine = self.steps, self.engine
+        views = ["health_indicator", *["program_summary"] * ("program_summary" in steps.steps)]
+        lasting = [name for name in steps.steps if _table_of(name) in _LASTING]
+        queries = self._tidied([*lasting, *self.results, *views])
+        names = [name for name in queries if _table_of(name) in (*_PASSING, *_LASTING)]
+        placed: dict[str, exp.Table] = {}
+        yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", place("health"))
+        if len(views) > 1:
+            yield "So does what machines ran since.", _drop("VIEW", place("program_summary"))
+        for name in (*names, *self.results):
+            table = place(name)
+            query = self._composed(name, queries, placed)
+            yield f"{name}: {engine.name} keeps this step as a table.", _drop("TABLE", table)
+            yield steps.steps[name].made.comment, engine.create_table(table, query)
+            placed[name] = table
+        live = {name: table for name, table in placed.items() if name in lasting}
+        for name, called, about in zip(views, ("health", "program_summary"), _ABOUT, strict=False):
+            view = self._composed(name, queries, live)
+            comment = f"{about}{steps.steps[name].made.comment}"
+            yield comment, exp.Create(this=place(called), kind="VIEW", expression=view)
+        if engine.of_signal is not None and engine.swaps == "replace":
+            yield OF_SIGNAL, engine.of_signal(place("health_of"), place("health"))
+        for name in names:
+            if name not in lasting:
+                yield f"{name} is no longer needed.", _drop("TABLE", place(name))
+
+    def text(self, tree: exp.Expr) -> str:
+        """Return a statement as it is printed."""
+        return laid_out(self.engine.text(tree), self.engine.dialect)
+
+    def _tidied(self, results: Sequence[str]) -> dict[str, exp.Query]:
+        queries = {name: step.query.copy() for name, step in self.steps.steps.items()}
+        for name, query in queries.items():
+            query.set("order", None)
+            if name in self.results and isinstance(query, exp.Select):
+                held = [part for part in query.expressions if part.alias_or_name not in self.absent]
+                query.set("expressions", held)
+        tidy_steps = tidied(queries, results, by_name=False, keys={"channels": "channel_id"})
+        columns = dict(tidy_steps)
+        brief = self.engine.brief
+        return {name: shortened(query, brief, columns) for name, query in tidy_steps.items()}
+
+    def _composed(
+        self, name: str, queries: Mapping[str, exp.Query], tables: Mapping[str, exp.Table]
+    ) -> exp.Query:
+        comments = {step: made.made.comment for step, made in self.steps.steps.items()}
+        taken = {table.name.lower() for table in self.steps.steps["readings"].query.find_all(exp.Table)}
+        return composed(name, queries, tables, taken, comments)
 
 
 def _table_of(step: str) -> str:
@@ -184,12 +224,6 @@ def _table_of(step: str) -> str:
 
 def _drop(kind: str, table: exp.Table) -> exp.Drop:
     return exp.Drop(tables=[table.copy()], kind=kind, exists=True)
-
-
-def _steps(method: Method, source: AnySource, relation: exp.Expr, engine: Engine) -> Pipeline:
-    kind = method.kind
-    rows = engine.readings(source, relation, kind, until=latest_live(source, engine, kind))
-    return pipeline(method, rows, lambda node: engine.instant_of(kind, node))
 
 
 def _looked_at(
