@@ -9,7 +9,7 @@ from collections.abc import Collection, Mapping, Sequence
 from sqlglot import exp
 
 from gam_db.composing.folding import is_constant
-from gam_db.composing.tidy import own_columns, query_of, selects_of, sources_of
+from gam_db.composing.selects import own_columns, query_of, selects_of, sources_of
 
 #: What an engine may let a query leave out.
 FORMS = {

@@ -6,11 +6,13 @@ cannot be, steps that only rename. The rows stay the same. Channels may be calle
 """
 
 from collections import defaultdict
-from collections.abc import Collection, Container, Iterator, Mapping
+from collections.abc import Collection, Mapping
 
 from sqlglot import exp
 
 from gam_db.composing.folding import folded, is_constant, known_there
+from gam_db.composing.joining import drop_empty, drop_rows, join_once, see_through
+from gam_db.composing.selects import own_columns, query_of, selects_of, sources_of, step_of
 from gam_db.errors import InternalError
 
 Queries = dict[str, exp.Query]
@@ -42,16 +44,16 @@ def tidied(
                 _name(select)
             _qualify(select, tidied_steps)
             if not by_name:
-                _see_through(select, tidied_steps, results)
-                _join_once(select, keys or {})
+                see_through(select, tidied_steps, results)
+                join_once(select, keys or {})
         for _ in range(1 if by_name else 3):  # what is folded within decides what is around it
             for select in selects_of(query):
-                _drop_empty(select, tidied_steps)
+                drop_empty(select, tidied_steps)
                 _inline(select, constants)
             query = folded(query)
         tidied_steps[name] = query
         for select in selects_of(query):
-            _drop_rows(select, tidied_steps)
+            drop_rows(select, tidied_steps)
         # What a result says in its rows is read there.
         constants[name] = _constants(query) if by_name or name not in results else {}
     _keep_needed(tidied_steps, results)
@@ -75,35 +77,6 @@ def _keep_needed(tidied_steps: Queries, results: Collection[str]) -> None:
             del tidied_steps[name]
 
 
-def selects_of(query: exp.Expr) -> list[exp.Select]:
-    """Return the selects of a query, inner ones first."""
-    return list(reversed(list(query.find_all(exp.Select))))
-
-
-def sources_of(select: exp.Select) -> list[tuple[exp.Expr, bool]]:
-    """Return what a select reads, and whether a row of it is always there."""
-    first = select.args.get("from_")
-    sources = [] if first is None else [(first.this, True)]
-    joins = select.args.get("joins") or ()
-    return sources + [(join.this, join.side != "LEFT") for join in joins]
-
-
-def own_columns(select: exp.Select) -> Iterator[exp.Column]:
-    """Give the columns that a select names itself, not those of a select in it."""
-    for node in select.walk(prune=lambda node: isinstance(node, exp.Subquery)):
-        if isinstance(node, exp.Column):
-            yield node
-
-
-def query_of(source: exp.Expr, steps: Mapping[str, exp.Query]) -> exp.Query | None:
-    """Return the query whose rows a source has; None for a table of the user's."""
-    if isinstance(source, exp.Subquery):
-        query: exp.Query = source.this
-        return query
-    step = step_of(source, steps)
-    return None if step is None else steps[step]
-
-
 def _qualify(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
     """Say of each column which of several sources it is of."""
     sources = [source for source, _ in sources_of(select)]
@@ -123,14 +96,6 @@ def _source_of(select: exp.Select, column: exp.Column) -> exp.Expr | None:
     if not column.table:
         return sources[0] if len(sources) == 1 else None
     return next((source for source in sources if source.alias_or_name == column.table), None)
-
-
-def step_of(source: exp.Expr, steps: Container[str]) -> str | None:
-    """Return the step that a table is, None for a table of the user's, whose name is quoted."""
-    if not isinstance(source, exp.Table) or not isinstance(source.this, exp.Identifier):
-        return None
-    is_step = not source.this.quoted and not source.db and source.name in steps
-    return source.name if is_step else None
 
 
 def _constants(query: exp.Expr) -> dict[str, exp.Expr]:
@@ -180,89 +145,6 @@ def inlined(consumer: exp.Query, name: str, query: exp.Query) -> None:
     for select in selects_of(consumer):
         _merge(select)
         _shorten(select)
-
-
-def _see_through(select: exp.Select, steps: Mapping[str, exp.Query], results: Collection[str]) -> None:
-    """Read what a step reads, where it only renames columns of another one."""
-    for source, _ in sources_of(select):
-        name = step_of(source, steps)
-        step = None if name is None or name in results else steps[name]
-        if not isinstance(step, exp.Select) or len(sources_of(step)) != 1:
-            continue
-        first, clauses = step.args["from_"].this, ("where", "group", "distinct", "order")
-        columns = {part.alias_or_name: part.unalias() for part in step.expressions}
-        is_renaming = step_of(first, steps) is not None and not any(
-            step.args.get(key) for key in clauses
-        )
-        if not is_renaming or not all(
-            isinstance(column, exp.Column) or is_constant(column) for column in columns.values()
-        ):
-            continue
-        alias = source.alias_or_name
-        for column in list(own_columns(select)):
-            if column.table in ("", alias) and column.name in columns:
-                renamed = columns[column.name].copy()
-                if isinstance(renamed, exp.Column):
-                    renamed = exp.column(renamed.name, table=alias)
-                is_listed = column.parent is select and column.arg_key == "expressions"
-                column.replace(exp.alias_(renamed, column.name) if is_listed else renamed)
-        table = first.copy()
-        table.set("alias", exp.TableAlias(this=exp.to_identifier(alias)))
-        source.replace(table)
-
-
-def _join_once(select: exp.Select, keys: Mapping[str, str]) -> None:
-    """Read a step once that is joined to itself by its key."""
-    sources = [source for source, _ in sources_of(select)]
-    for join in list(select.args.get("joins") or ()):
-        condition, name = join.args.get("on"), step_of(join.this, keys)
-        if join.side or name is None or not isinstance(condition, exp.EQ):
-            continue
-        alias = join.this.alias_or_name
-        sides = {side.table: side.name for side in (condition.this, condition.expression)}
-        for source in sources:
-            other = source.alias_or_name
-            is_same = source is not join.this and step_of(source, keys) == name
-            if is_same and sides == {alias: keys[name], other: keys[name]}:
-                join.pop()
-                for column in list(own_columns(select)):
-                    if column.table == alias:
-                        column.set("table", exp.to_identifier(other))
-                break
-
-
-def _drop_empty(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
-    """Drop outer joins to what has no row, or none that fits."""
-    for join in list(select.args.get("joins") or ()):
-        query = query_of(join.this, steps)
-        is_empty = isinstance(query, exp.Select) and _is_empty(query, steps)
-        if join.side != "LEFT" or not (is_empty or join.args.get("on") == exp.false()):
-            continue
-        for column in list(own_columns(select)):
-            if column.table == join.this.alias_or_name:
-                column.replace(exp.Literal.number(0) if column.name == "hit" else exp.Null())
-        join.pop()
-
-
-def _is_empty(query: exp.Select, steps: Mapping[str, exp.Query]) -> bool:
-    """Tell whether a query reads a step that has no row, or is such a one."""
-    where = query.args.get("where")
-    if where is not None and where.this == exp.false():
-        return True
-    first = query_of(sources_of(query)[0][0], steps) if sources_of(query) else None
-    return isinstance(first, exp.Select) and _is_empty(first, steps)
-
-
-def _drop_rows(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
-    """Drop joins to a step that is a single row of which nothing is read."""
-    read = {column.table for column in own_columns(select)}
-    for join in list(select.args.get("joins") or ()):
-        name = step_of(join.this, steps)
-        step = None if name is None else steps[name]
-        is_row = isinstance(step, exp.Select) and step.args.get("from_") is None
-        condition = join.args.get("on")
-        if is_row and join.this.alias_or_name not in read and condition in (None, exp.true()):
-            join.pop()
 
 
 def _merge(select: exp.Select) -> None:

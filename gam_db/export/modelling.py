@@ -13,7 +13,8 @@ from sqlglot import exp
 from gam_db.composing.brief import shortened
 from gam_db.composing.layout import commented, laid_out
 from gam_db.composing.pipeline import Pipeline
-from gam_db.composing.tidy import selects_of, tidied
+from gam_db.composing.selects import selects_of
+from gam_db.composing.tidy import tidied
 from gam_db.engines.base import Engine
 from gam_db.export import jinja
 from gam_db.export.models import (

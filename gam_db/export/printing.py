@@ -11,7 +11,8 @@ from sqlglot import exp
 from gam_db.composing.brief import shortened
 from gam_db.composing.layout import commented, laid_out
 from gam_db.composing.pipeline import Pipeline, selected_from
-from gam_db.composing.tidy import inlined, own_columns, sources_of, step_of, tidied
+from gam_db.composing.selects import own_columns, sources_of, step_of
+from gam_db.composing.tidy import inlined, tidied
 from gam_db.engines.base import Engine
 from gam_db.method.printed import RESULTS
 

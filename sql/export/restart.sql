@@ -10,7 +10,7 @@ SELECT
   staying.context_time AS context_time
 FROM earlier_bucket AS staying
 JOIN (
-  SELECT channel_id, MIN(bucket_no) - 1 AS bucket_no
+  SELECT channel_id, MIN(bucket_no) - 1 AS last_staying
   FROM (
     SELECT
       channel_id,
@@ -21,4 +21,4 @@ JOIN (
   ) AS former
   WHERE last_time >= newest_time - :lookback
   GROUP BY channel_id
-) AS reached ON reached.channel_id = staying.channel_id AND reached.bucket_no = staying.bucket_no
+) AS reached ON reached.channel_id = staying.channel_id AND reached.last_staying = staying.bucket_no
