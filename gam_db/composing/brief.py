@@ -29,7 +29,10 @@ FORMS = {
 
 
 def shortened(
-    query: exp.Query, allowed: Collection[str], steps: Mapping[str, exp.Query] | None = None
+    query: exp.Query,
+    allowed: Collection[str],
+    steps: Mapping[str, exp.Query] | None = None,
+    filled: bool = True,
 ) -> exp.Query:
     """Return a tidy query in fewer words.
 
@@ -37,13 +40,15 @@ def shortened(
         query: is changed.
         allowed: of :data:`FORMS`, what the engine has.
         steps: the queries of the tables that it reads, by name.
+        filled: whether a column that has a default is never NULL where an outer join has a partner, as
+            in the steps of a script; else only what is counted is taken for such a column.
     """
     steps = steps or {}
     for select in selects_of(query):
         if "names" in allowed:
             _unalias(select)
         if "nulls" in allowed:
-            _join_outer(select)
+            _join_outer(select, filled)
         if "using" in allowed:
             _use(select, steps)
             _unqualify(select, steps)
@@ -70,7 +75,7 @@ def _unalias(select: exp.Select) -> None:
             part.replace(part.this)
 
 
-def _join_outer(select: exp.Select) -> None:
+def _join_outer(select: exp.Select, filled: bool) -> None:
     """Let a row without a partner be told by NULL, not by a column of its own."""
     for join in select.args.get("joins") or ():
         source, condition = join.this, join.args.get("on")
@@ -87,7 +92,7 @@ def _join_outer(select: exp.Select) -> None:
                 assert comparison is not None  # hit = 1
                 comparison.replace(there)
         for case in reversed(list(select.find_all(exp.Case))):
-            _uncase(case, alias)
+            _uncase(case, alias, None if filled else inner)
         for less in list(select.find_all(exp.LT)):
             _unless(less, alias)
         inner.set("expressions", [part for part in inner.expressions if part.alias_or_name != "hit"])
@@ -100,10 +105,11 @@ def _join_outer(select: exp.Select) -> None:
             source.replace(table)
 
 
-def _uncase(case: exp.Case, alias: str) -> None:
+def _uncase(case: exp.Case, alias: str, inner: exp.Select | None) -> None:
     """Let what is read of a partner stand for itself: it is NULL without one.
 
-    A column with a default is never NULL where there is a partner.
+    A column with a default is never NULL where there is a partner, unless that is to be seen from the
+    query of the partner.
     """
     if len(case.args["ifs"]) != 1:
         return
@@ -116,8 +122,19 @@ def _uncase(case: exp.Case, alias: str) -> None:
     default = case.args.get("default")
     if default is None and _is_null_without(value, alias):
         case.replace(value)
-    elif default is not None and isinstance(value, exp.Column) and value.table == alias:
+    elif (
+        default is not None
+        and isinstance(value, exp.Column)
+        and value.table == alias
+        and (inner is None or _is_counted(inner, value.name))
+    ):
         case.replace(exp.Coalesce(this=value, expressions=[default]))
+
+
+def _is_counted(query: exp.Select, name: str) -> bool:
+    """Tell whether a column counts rows."""
+    column = next((part.unalias() for part in query.expressions if part.alias_or_name == name), None)
+    return isinstance(column.this if isinstance(column, exp.Cast) else column, exp.Count)
 
 
 def _unless(less: exp.LT, alias: str) -> None:

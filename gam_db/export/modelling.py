@@ -82,7 +82,9 @@ def models(of: Modelled) -> list[Model]:
     inline_single(tidy_steps, objects)
     columns = dict(tidy_steps)
     brief = of.engine.brief
-    tidy_steps = {name: shortened(query, brief, columns) for name, query in tidy_steps.items()}
+    tidy_steps = {
+        name: shortened(query, brief, columns, filled=False) for name, query in tidy_steps.items()
+    }
     files = _Files(of, package, tidy_steps, objects, results)
     return [files.model(name, keys.get(name, ())) for name in files.parted()]
 

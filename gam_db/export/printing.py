@@ -60,7 +60,7 @@ class Script:
         """Return the query of the health indicator, a row per scored vector."""
         queries = self._tidied(["health_indicator"])
         query = self._composed("health_indicator", queries, {}, commented=True)
-        query.set("order", exp.Order(expressions=[exp.Ordered(this=exp.column(name)) for name in ORDER]))
+        query.set("order", in_order())
         return f"{self._text(query)};\n"
 
     def view(self, named: Callable[[str], exp.Table]) -> str:
@@ -176,6 +176,11 @@ class Script:
     def _comment(self, name: str) -> str:
         first, *_ = SENTENCE.split(self.steps.steps[name].made.comment, 1)
         return "\n".join(commented(PAGES.sub("", first)))
+
+
+def in_order() -> exp.Order:
+    """Return the order of the rows of the exact form."""
+    return exp.Order(expressions=[exp.Ordered(this=exp.column(name)) for name in ORDER])
 
 
 def composed(

@@ -20,9 +20,9 @@ from gam_db.composing.tidy import tidied
 from gam_db.engines import engine_named
 from gam_db.engines.base import Engine
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
-from gam_db.export.printing import OF_SIGNAL, Script, composed
+from gam_db.export.printing import OF_SIGNAL, Script, composed, in_order
 from gam_db.method import Method, pipeline
-from gam_db.method.printed import LEFT_OUT, PARTS, RESULTS, parts_of, printed_pipeline
+from gam_db.method.printed import LEFT_OUT, PARTS, RESULTS, parts_of, printed_pipeline, rename
 from gam_db.reading.ahead import latest_live
 from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration
@@ -122,10 +122,11 @@ def render(
         return table
 
     rows = chosen.readings(source, relation, kind, until=latest_live(source, chosen, kind))
+    if "names" in chosen.brief:
+        rename(rows)
     parts, instant = parts_of(parameters, without), partial(chosen.instant_of, kind)
     if not method.pools and method.programs is None:
-        forms = ("frames" in chosen.brief, "names" in chosen.brief)
-        steps = printed_pipeline(method, rows, instant, parts, *forms)
+        steps = printed_pipeline(method, rows, instant, parts, "frames" in chosen.brief)
         script = Script(steps, chosen, parts)
         body = script.exact() if form == "exact" else script.view(place)
         return f"{_commented(head)}\n{begin}\n{body}"
@@ -161,7 +162,7 @@ class _Statements:
     def exact(self) -> str:
         """Return the query of the health indicator, a row per scored vector."""
         query = self._composed("health_indicator", self._tidied(["health_indicator"]), {})
-        query.set("order", self.steps.steps["health_indicator"].query.args.get("order"))
+        query.set("order", in_order())
         return f"{self.text(query)};\n"
 
     def view(self, place: Callable[[str], exp.Table]) -> Iterator[tuple[str, exp.Expr]]:
@@ -206,7 +207,9 @@ class _Statements:
         tidy_steps = tidied(queries, results, by_name=False, keys={"channels": "channel_id"})
         columns = dict(tidy_steps)
         brief = self.engine.brief
-        return {name: shortened(query, brief, columns) for name, query in tidy_steps.items()}
+        return {
+            name: shortened(query, brief, columns, filled=False) for name, query in tidy_steps.items()
+        }
 
     def _composed(
         self, name: str, queries: Mapping[str, exp.Query], tables: Mapping[str, exp.Table]

@@ -70,7 +70,6 @@ def printed_pipeline(
     instant_of: TimeNode,
     parts: Collection[str] = PARTS,
     framed: bool = False,
-    renames: bool = False,
 ) -> Pipeline:
     """Return the steps of a script; the last ones are those of :data:`RESULTS`, and *health_indicator*.
 
@@ -80,11 +79,8 @@ def printed_pipeline(
         instant_of: turns integer time into what the source has.
         parts: of :data:`PARTS`; the others need the first.
         framed: whether the engine takes frames lightly that begin so many rows before.
-        renames: whether a column of the source goes before an alias of the same name in a condition.
     """
     steps = Pipeline()
-    if renames:
-        _rename(readings)
     for either in list(readings.find_all(exp.Or)):
         if isinstance(either.expression, exp.Is):  # rows without a time are no samples
             either.replace(either.this.unnest())
@@ -121,8 +117,11 @@ def printed_pipeline(
 _READ_AS = {"asset_name": "asset", "channel_name": "channel", "instant": "time"}
 
 
-def _rename(readings: exp.Query) -> None:
-    """Call the columns of a long table at once what they are called later on."""
+def rename(readings: exp.Query) -> None:
+    """Call the columns of a long table at once what they are called later on, in place.
+
+    On engines where a column of the source goes before an alias of the same name in a condition.
+    """
     for node in readings.find_all(exp.Alias, exp.Column):
         name = node.args.get("alias") if isinstance(node, exp.Alias) else node.this
         if isinstance(name, exp.Identifier) and not name.quoted and name.name in _READ_AS:
