@@ -25,7 +25,10 @@ def health_indicator(
     Args:
         source: where the telemetry lies: a :class:`Source` or :class:`WideSource`, or what these take as
             relation (a path, a list of paths, a table, a data frame), its columns guessed as the command
-            line does; also polars' LazyFrame, a relation of DuckDB, a table of Ibis.
+            line does; also polars' LazyFrame, a relation of DuckDB, a table of Ibis. A single signal may
+            be a 1-D array of NumPy, whose readings count 0, 1, 2, ..., or a series of pandas, whose
+            index (a DatetimeIndex or whole numbers) is the time; its channel is called like the series,
+            else ``value``.
         parameters: of the method; default :class:`Parameters`.
         calibration: the healthy part; default the first fifth of each channel.
         engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.

@@ -14,7 +14,8 @@ from typing import Any, Literal, TypeAlias
 from gam_db import data
 from gam_db.address import shown
 from gam_db.clock import Length
-from gam_db.engines.session import Session, arrow_table
+from gam_db.engines.frames import arrow_table, signal_table
+from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
 from gam_db.settings.form import Form
 from gam_db.settings.setting import (
@@ -105,7 +106,8 @@ def sourced(given: Any, session: Session) -> AnySource:
     """Return a source as it was given, or what is meant by a relation alone, its columns guessed.
 
     That is a path, a list of paths, a folder, the name of a table, a data frame of pandas or polars, an
-    Arrow table, a relation of DuckDB, a table of Ibis.
+    Arrow table, a relation of DuckDB, a table of Ibis, or a single signal
+    (:func:`gam_db.engines.frames.signal_table`).
 
     Raises:
         SourceError: it cannot be read, or a column cannot be guessed.
@@ -118,6 +120,9 @@ def sourced(given: Any, session: Session) -> AnySource:
     given = folder_or_table(given, session)
     if isinstance(given, (str, Path, list, tuple)):
         return guess(given, session.describe(session.relation(given)), said, session).source
+    if (signal := signal_table(given)) is not None:
+        time, value = signal.column_names
+        return Source(signal, asset=None, channel=None, time=time, value=value)
     table = arrow_table(given)
     with session.lent(table) as relation:
         return guess(table, session.describe(relation), said, session).source
