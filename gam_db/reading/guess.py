@@ -103,6 +103,11 @@ def folder_or_table(given: Any, session: Session) -> Any:
 
 
 def sourced(given: Any, session: Session) -> AnySource:
+    """Return a source as it was given, or what is meant by a relation alone: see :func:`looked_up`."""
+    return looked_up(given, session).source
+
+
+def looked_up(given: Any, session: Session) -> Guess:
     """Return a source as it was given, or what is meant by a relation alone, its columns guessed.
 
     That is a path, a list of paths, a folder, the name of a table, a data frame of pandas or polars, an
@@ -113,19 +118,19 @@ def sourced(given: Any, session: Session) -> AnySource:
         SourceError: it cannot be read, or a column cannot be guessed.
     """
     if isinstance(given, (Source, WideSource)):
-        return given
+        return Guess(given, {}, ())
     said = SourceSettings()
     if isinstance(given, (list, tuple)) and is_file(several := [as_folder(one) for one in given]):
         given = several
     given = folder_or_table(given, session)
     if isinstance(given, (str, Path, list, tuple)):
-        return guess(given, session.describe(session.relation(given)), said, session).source
+        return guess(given, session.describe(session.relation(given)), said, session)
     if (signal := signal_table(given)) is not None:
         time, value = signal.column_names
-        return Source(signal, asset=None, channel=None, time=time, value=value)
+        return Guess(Source(signal, asset=None, channel=None, time=time, value=value), {}, ())
     table = arrow_table(given)
     with session.lent(table) as relation:
-        return guess(table, session.describe(relation), said, session).source
+        return guess(table, session.describe(relation), said, session)
 
 
 class _Guesser:

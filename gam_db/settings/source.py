@@ -34,8 +34,8 @@ class Source(Form):
         relation: name of a table or view (dots separate catalogue, schema and table; a tuple of parts
             is taken as it is), path of a Parquet or CSV file (wildcards allowed) or a list of such, a
             folder (its path ends in a slash), an Arrow table (anything with
-            ``__arrow_c_stream__``, such as a data frame), or a 1-D array or series, which has the columns
-            ``time`` and ``value`` (the series' name, where it has one).
+            ``__arrow_c_stream__``, such as a data frame), or a 1-D array or series, which has the
+            columns ``time`` and ``value`` (called like the series, where that has a name).
         asset, channel: columns that name the machine and the signal; None if there is one only: its
             asset is called ``asset`` and its channel like the value column.
         time: column with a timestamp (without zone: UTC), its text, or an integer counter.

@@ -98,7 +98,9 @@ def test_a_series_may_be_called_anything() -> None:
         found = gam_db.support(pandas.Series(WAVE, name=name), SMALL).to_pylist()
         assert [(row["channel"], row["samples"]) for row in found] == [(channel, ROWS)]
     whole = pandas.Series([1, None, 3], dtype="Int64")
-    assert signal_table(whole)["value"].to_pylist() == [1, None, 3]
+    made = signal_table(whole)
+    assert made is not None
+    assert made["value"].to_pylist() == [1, None, 3]
 
 
 class Series:
