@@ -121,13 +121,16 @@ def printable(text: str) -> str:
     )
 
 
-def nearest(word: str, known: Iterable[str]) -> str:
-    """Return the end of a sentence, its stop included, that says what ``word`` was meant to be."""
+def nearest(word: str, known: Iterable[str], most: int = 12) -> str:
+    """Return the end of a sentence, its stop included, that says what ``word`` was meant to be.
+
+    Where no known word is near, the first ``most`` of them are named.
+    """
     choices = list(known)
     folded = {choice.casefold(): choice for choice in reversed(choices)}
     if close := difflib.get_close_matches(word.casefold(), folded, n=1, cutoff=0.5):
         return f"; did you mean {folded[close[0]]!r}?"
     if not choices:
         return "."
-    shown = ", ".join(repr(choice) for choice in choices[:12])
-    return f"; there is {shown}" + (", and others." if len(choices) > 12 else ".")
+    shown = ", ".join(repr(choice) for choice in choices[:most])
+    return f"; there is {shown}" + (", and others." if len(choices) > most else ".")

@@ -11,7 +11,7 @@ from gam_db.engines.connecting import borrowed
 from gam_db.reading.guess import looked_up
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
-from gam_db.settings.source import is_file, shown_relation
+from gam_db.settings.source import Source, WideSource, is_file, shown_relation
 from gam_db.stored.lengths import park_after
 from gam_db.study import Study
 
@@ -45,7 +45,7 @@ def summary(
         study = Study(session, seen.source, *method, short_cuts=True)
         try:
             job = Job(
-                _name(seen.source.relation),
+                _name(source.relation if isinstance(source, (Source, WideSource)) else source),
                 dataclasses.replace(seen, source=study.source),
                 *method,
                 exact=exact_columns(session, study.source, study.columns),
