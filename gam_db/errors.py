@@ -36,6 +36,10 @@ class CalibrationError(UserError, code="calibration"):
     """The calibration is contradictory or cannot be resolved."""
 
 
+class CalibrationWarning(UserWarning):
+    """The calibration is not good enough to judge by; what is fitted by it says little."""
+
+
 class SourceError(UserError, code="source"):
     """The relation, a column of it, or its rows are not usable."""
 
