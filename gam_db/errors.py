@@ -10,6 +10,7 @@ should be.
 
 import difflib
 import errno
+import re
 from collections.abc import Iterable
 
 from gam_db import data
@@ -25,7 +26,22 @@ class GamError(Exception):
 
 
 class UserError(GamError, code="user"):
-    """Something the user can mend."""
+    """Something the user can mend.
+
+    As a text it speaks of arguments in Python; ``options`` is the same for the command line.
+    """
+
+    @property
+    def options(self) -> str:
+        """The message in the words of the command line."""
+        return super().__str__()
+
+    def __str__(self) -> str:
+        return _in_python(self.options)
+
+
+class ArgumentError(UserError, TypeError, code="argument"):
+    """An argument of a public call is misspelt, missing, or of another type."""
 
 
 class ParameterError(UserError, code="parameter"):
@@ -116,6 +132,38 @@ def unwritable(path: object, error: OSError, otherwise: type[UserError] | None =
             "is half written; make room, and run it again."
         )
     return (otherwise or ConfigurationError)(f"{path} cannot be written: {error.strerror}.")
+
+
+#: Options that are called otherwise in Python, where dashes alone do not make the difference.
+_ARGUMENTS = {
+    "calibrate": "intervals",
+    "calibration_duration": "duration",
+    "calibration_fraction": "fraction",
+    "no_asset": "asset=None",
+    "no_channel": "channel=None",
+    "wide": "gam_db.WideSource",
+    "paper": "gam_db.Parameters.paper()",
+}
+_OPTION = re.compile(
+    r"--([a-z][a-z-]*)(?: ('[^']*'|none\b|[.,:;](?=[ .]|$)|[A-Z0-9][^\s;,)]*?(?=[;,.)]?(?:\s|$))))?"
+)
+_PLACEHOLDER = re.compile(r"[A-Z]{2,}(/[A-Z]{2,})?")
+
+
+def _in_python(text: str) -> str:
+    """Return a message with arguments of Python in the place of options of the command line."""
+    return _OPTION.sub(_argument, text)
+
+
+def _argument(option: re.Match[str]) -> str:
+    name, value = option[1].replace("-", "_"), option[2]
+    name = _ARGUMENTS.get(name, name)
+    if value is None:
+        return name
+    if value == "none":
+        return f"{name}={'False' if name == 'clock_tolerance' else 'None'}"
+    is_said = value.startswith("'") or _PLACEHOLDER.fullmatch(value)
+    return f"{name}={value if is_said else repr(value)}"
 
 
 def printable(text: str) -> str:

@@ -7,6 +7,7 @@ from typing import Any
 
 import pyarrow as pa
 
+from gam_db.arguments import public
 from gam_db.errors import wrong
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
@@ -14,6 +15,7 @@ from gam_db.study import studied
 from gam_db.units import with_units
 
 
+@public
 def health_indicator(
     source: Any,
     parameters: Parameters | None = None,
@@ -47,6 +49,7 @@ def health_indicator(
     return _table("health_indicator", source, parameters, calibration, engine)
 
 
+@public
 def health_at_buckets(
     source: Any,
     parameters: Parameters | None = None,
@@ -64,6 +67,7 @@ def health_at_buckets(
     return _table("bucket_health", source, parameters, calibration, engine)
 
 
+@public
 def support(
     source: Any,
     parameters: Parameters | None = None,
@@ -93,6 +97,7 @@ def support(
     return _table("support_summary", source, parameters, calibration, engine)
 
 
+@public
 def probe(
     source: Any,
     parameters: Parameters | None = None,
@@ -114,6 +119,7 @@ def probe(
     return _table("probes", source, parameters, calibration, engine)
 
 
+@public
 def programs(
     source: Any,
     parameters: Parameters | None = None,
@@ -140,6 +146,7 @@ def programs(
     return _table("program_summary", source, parameters, calibration, engine)
 
 
+@public
 def certificate(
     source: Any,
     parameters: Parameters | None = None,

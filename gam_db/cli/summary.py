@@ -4,6 +4,7 @@ import dataclasses
 from typing import Any
 
 from gam_db.alarms import Alarms
+from gam_db.arguments import public
 from gam_db.checking.look import exact_columns
 from gam_db.cli.job import Job
 from gam_db.cli.once import Summary, summarised
@@ -16,6 +17,7 @@ from gam_db.stored.lengths import park_after
 from gam_db.study import Study
 
 
+@public
 def summary(
     source: Any,
     parameters: Parameters | None = None,

@@ -87,6 +87,10 @@ class Session:
             raise wrong("engine_reads_no_texts", title=self.engine.title)
         if not isinstance(relation, (str, Path, tuple, list)):
             return self.load(arrow_table(relation))
+        if isinstance(relation, (tuple, list)):
+            others = (type(one).__name__ for one in relation if not isinstance(one, (str, Path)))
+            if other := next(others, None):
+                raise wrong("list_of_values", kind=other)
         if isinstance(relation, Path) and is_spreadsheet(relation):
             raise wrong("spreadsheet", relation=relation)
         if is_file(relation):

@@ -11,6 +11,7 @@ from functools import partial
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.arguments import public
 from gam_db.clock import TimeKind, looks_like_calendar
 from gam_db.composing import template
 from gam_db.composing.layout import commented
@@ -50,6 +51,7 @@ _LASTING = ("channels", "calibration", "bounds", "support", "programs")
 _RESULTS = ("support_summary", "certificate", "probes")
 
 
+@public
 def render(
     form: str,
     engine: str,

@@ -16,6 +16,7 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 from sqlglot import exp
 
+from gam_db.arguments import public
 from gam_db.engines.connecting import connect
 from gam_db.engines.frames import arrow_table
 from gam_db.errors import ConfigurationError, nearest, wrong
@@ -31,6 +32,7 @@ _NAMED = 4
 """Signals that an error names."""
 
 
+@public
 def signal(
     results: Monitor | pa.Table | str | Path,
     asset: str | None = None,
@@ -64,6 +66,7 @@ def signal(
     return drawn.update_layout(title=title, yaxis={"range": [0, 1], "title": {"text": "hi"}})
 
 
+@public
 def fleet(results: Monitor | pa.Table | str | Path, support: pa.Table | None = None) -> Any:
     """Return a figure of the machines over time: how many signals were above at once.
 

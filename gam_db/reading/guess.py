@@ -70,6 +70,8 @@ KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
 _TAIL = re.compile(r"(?<=..)(id|name|number|no|nr)$")
 
 _WHAT = {"asset": "the machine", "channel": "the signal", "time": "the time", "value": "the reading"}
+_LONGEST = 260
+"""Letters of an error that names columns, about; not all are named where there are many."""
 _NONE = {"asset": "--no-asset if it is one machine", "channel": "--no-channel if it is one signal"}
 
 
@@ -255,9 +257,10 @@ class _Guesser:
             f"say --{role} COLUMN" + (f", or {_NONE[role]}" if role in _NONE else "") for role in roles
         )
         shown = [f"{name} ({type_name})" for name, type_name in self.columns.items()]
-        if len(shown) > 30:
-            shown[30:] = ["..."]
-        return SourceError(f"{what}; {options}. The columns are: {', '.join(shown)}.")
+        room = _LONGEST - len(what) - len(options)
+        named = next((n for n in range(len(shown), 0, -1) if len(", ".join(shown[:n])) <= room), 1)
+        more = ", ..." if named < len(shown) else ""
+        return SourceError(f"{what}; {options}; the columns are: {', '.join(shown[:named])}{more}.")
 
 
 def _plain(name: str) -> str:

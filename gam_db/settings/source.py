@@ -12,6 +12,7 @@ import sqlglot
 from sqlglot import exp
 from sqlglot.errors import SqlglotError
 
+from gam_db.arguments import public
 from gam_db.clock import Length, TimeKind
 from gam_db.composing import template
 from gam_db.errors import SourceError, wrong
@@ -26,6 +27,7 @@ _SPREADSHEETS = (".xlsx", ".xls", ".xlsm", ".xlsb", ".ods", ".numbers")
 TimeNode = Callable[[exp.Expr], exp.Expr]
 
 
+@public
 @dataclass(frozen=True)
 class Source(Form):
     """A long table: one row per reading.
@@ -78,6 +80,7 @@ class Source(Form):
         return (self.value,)
 
 
+@public
 @dataclass(frozen=True)
 class WideSource(Form):
     """A wide table: one column per channel; a NULL cell is a missing sample, not an absent row.

@@ -58,7 +58,7 @@ def test_a_missing_file_is_named() -> None:
     for name in ("none.parquet", "none.csv", "no/such/folder/none.parquet", "none*.parquet"):
         refused("none.* cannot be read; is it there", lambda name=name: support(Source(name)))  # type: ignore[misc]
     refused("none.txt cannot be read", lambda: support(Source(Path("none.txt"))))
-    refused("must end in .parquet, .csv or .tsv", lambda: support(Source("none.json")))
+    refused("files end in .parquet, .csv or .tsv", lambda: support(Source("none.json")))
 
 
 @pytest.mark.parametrize("ending", ["xlsx", "XLS", "xlsm", "ods"])

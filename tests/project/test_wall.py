@@ -23,7 +23,7 @@ PACKAGE = Path(gam_db.__file__).parent
 LAYERS = [
     ["columns", "data", "plot", "sklearn", "version"],
     ["errors"],
-    ["address", "clock", "extras", "langevin", "composing.template"],
+    ["address", "arguments", "clock", "extras", "langevin", "composing.template"],
     ["composing.folding", "composing.layout"],
     ["composing.tidy"],
     ["composing.brief"],

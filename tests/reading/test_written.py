@@ -112,7 +112,7 @@ def one(words: list[Any], times: list[Any] | None = None, **said: Any) -> Source
         (one(["1 234,5"]), "--thousands ' ' --decimal , would"),
         (one(["1.2 A", "1.3 A"]), "--unit A would"),
         (one(["1.5", "N/A", "Bad"]), "2 of 3 .*'N/A'; --null N/A --null Bad would"),
-        (one(["1.5", "2.5"]), "All its words are: --decimal . reads them"),
+        (one(["1.5", "2.5"]), "all its words are, so decimal='.' reads them"),
         (
             one(["open", "shut", "open"]),
             "words only, 'open', 'shut': .* give a view with a number for each",
