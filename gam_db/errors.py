@@ -145,7 +145,8 @@ _ARGUMENTS = {
     "paper": "gam_db.Parameters.paper()",
 }
 _OPTION = re.compile(
-    r"--([a-z][a-z-]*)(?: ('[^']*'|none\b|[.,:;](?=[ .]|$)|[A-Z0-9][^\s;,)]*?(?=[;,.)]?(?:\s|$))))?"
+    r"--([a-z][a-z-]*)(?: ('[^']*'|none\b|[.,:;](?=[ .]|$)|\S+(?= would )|cp\d+|utf-\d+(?:-[bl]e)?"
+    r"|[A-Z0-9][^\s;,)]*?(?=[;,.)]?(?:\s|$))))?"
 )
 _PLACEHOLDER = re.compile(r"[A-Z]{2,}(/[A-Z]{2,})?")
 
