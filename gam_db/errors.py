@@ -10,6 +10,7 @@ should be.
 
 import difflib
 import errno
+import re
 from collections.abc import Iterable
 
 from gam_db import data
@@ -25,7 +26,22 @@ class GamError(Exception):
 
 
 class UserError(GamError, code="user"):
-    """Something the user can mend."""
+    """Something the user can mend.
+
+    As a text it speaks of arguments in Python; ``options`` is the same for the command line.
+    """
+
+    @property
+    def options(self) -> str:
+        """The message in the words of the command line."""
+        return super().__str__()
+
+    def __str__(self) -> str:
+        return _in_python(self.options)
+
+
+class ArgumentError(UserError, TypeError, code="argument"):
+    """An argument of a public call is misspelt, missing, or of another type."""
 
 
 class ParameterError(UserError, code="parameter"):
@@ -34,6 +50,10 @@ class ParameterError(UserError, code="parameter"):
 
 class CalibrationError(UserError, code="calibration"):
     """The calibration is contradictory or cannot be resolved."""
+
+
+class CalibrationWarning(UserWarning):
+    """The calibration is not good enough to judge by; what is fitted by it says little."""
 
 
 class SourceError(UserError, code="source"):
@@ -114,6 +134,39 @@ def unwritable(path: object, error: OSError, otherwise: type[UserError] | None =
     return (otherwise or ConfigurationError)(f"{path} cannot be written: {error.strerror}.")
 
 
+#: Options that are called otherwise in Python, where dashes alone do not make the difference.
+_ARGUMENTS = {
+    "calibrate": "intervals",
+    "calibration_duration": "duration",
+    "calibration_fraction": "fraction",
+    "no_asset": "asset=None",
+    "no_channel": "channel=None",
+    "wide": "gam_db.WideSource",
+    "paper": "gam_db.Parameters.paper()",
+}
+_OPTION = re.compile(
+    r"--([a-z][a-z-]*)(?: ('[^']*'|none\b|[.,:;](?=[ .]|$)|\S+(?= would )|cp\d+|utf-\d+(?:-[bl]e)?"
+    r"|[A-Z0-9][^\s;,)]*?(?=[;,.)]?(?:\s|$))))?"
+)
+_PLACEHOLDER = re.compile(r"[A-Z]{2,}(/[A-Z]{2,})?")
+
+
+def _in_python(text: str) -> str:
+    """Return a message with arguments of Python in the place of options of the command line."""
+    return _OPTION.sub(_argument, text)
+
+
+def _argument(option: re.Match[str]) -> str:
+    name, value = option[1].replace("-", "_"), option[2]
+    name = _ARGUMENTS.get(name, name)
+    if value is None:
+        return name
+    if value == "none":
+        return f"{name}={'False' if name == 'clock_tolerance' else 'None'}"
+    is_said = value.startswith("'") or _PLACEHOLDER.fullmatch(value)
+    return f"{name}={value if is_said else repr(value)}"
+
+
 def printable(text: str) -> str:
     """Return a text with nothing in it that a terminal would obey: such signs are spelt, ESC as x1b."""
     return "".join(
@@ -121,13 +174,16 @@ def printable(text: str) -> str:
     )
 
 
-def nearest(word: str, known: Iterable[str]) -> str:
-    """Return the end of a sentence, its stop included, that says what ``word`` was meant to be."""
+def nearest(word: str, known: Iterable[str], most: int = 12) -> str:
+    """Return the end of a sentence, its stop included, that says what ``word`` was meant to be.
+
+    Where no known word is near, the first ``most`` of them are named.
+    """
     choices = list(known)
     folded = {choice.casefold(): choice for choice in reversed(choices)}
     if close := difflib.get_close_matches(word.casefold(), folded, n=1, cutoff=0.5):
         return f"; did you mean {folded[close[0]]!r}?"
     if not choices:
         return "."
-    shown = ", ".join(repr(choice) for choice in choices[:12])
-    return f"; there is {shown}" + (", and others." if len(choices) > 12 else ".")
+    shown = ", ".join(repr(choice) for choice in choices[:most])
+    return f"; there is {shown}" + (", and others." if len(choices) > most else ".")

@@ -7,6 +7,7 @@ from typing import Any
 
 import pyarrow as pa
 
+from gam_db.arguments import public
 from gam_db.errors import wrong
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
@@ -14,6 +15,7 @@ from gam_db.study import studied
 from gam_db.units import with_units
 
 
+@public
 def health_indicator(
     source: Any,
     parameters: Parameters | None = None,
@@ -25,7 +27,10 @@ def health_indicator(
     Args:
         source: where the telemetry lies: a :class:`Source` or :class:`WideSource`, or what these take as
             relation (a path, a list of paths, a table, a data frame), its columns guessed as the command
-            line does; also polars' LazyFrame, a relation of DuckDB, a table of Ibis.
+            line does; also polars' LazyFrame, a relation of DuckDB, a table of Ibis. A single signal may
+            be a 1-D array of NumPy, whose readings count 0, 1, 2, ..., or a series of pandas, whose
+            index (a DatetimeIndex or whole numbers) is the time; its channel is called like the series,
+            else ``value``.
         parameters: of the method; default :class:`Parameters`.
         calibration: the healthy part; default the first fifth of each channel.
         engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
@@ -44,6 +49,7 @@ def health_indicator(
     return _table("health_indicator", source, parameters, calibration, engine)
 
 
+@public
 def health_at_buckets(
     source: Any,
     parameters: Parameters | None = None,
@@ -61,6 +67,7 @@ def health_at_buckets(
     return _table("bucket_health", source, parameters, calibration, engine)
 
 
+@public
 def support(
     source: Any,
     parameters: Parameters | None = None,
@@ -90,6 +97,7 @@ def support(
     return _table("support_summary", source, parameters, calibration, engine)
 
 
+@public
 def probe(
     source: Any,
     parameters: Parameters | None = None,
@@ -111,6 +119,7 @@ def probe(
     return _table("probes", source, parameters, calibration, engine)
 
 
+@public
 def programs(
     source: Any,
     parameters: Parameters | None = None,
@@ -137,6 +146,7 @@ def programs(
     return _table("program_summary", source, parameters, calibration, engine)
 
 
+@public
 def certificate(
     source: Any,
     parameters: Parameters | None = None,

@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 import pyarrow as pa
 
 from gam_db.alarms.heights import LEAST, MOST, STATED_FROM, UNSTATED, Height, Rate, by_replay, by_table
+from gam_db.arguments import public
 from gam_db.clock import TimeKind, length
 from gam_db.columns import COUNT, SHARE, WORD, columns, counts, table_of
 from gam_db.errors import wrong
@@ -40,6 +41,7 @@ Row = dict[str, Any]
 Work: TypeAlias = Study | Running
 
 
+@public
 @declared
 @dataclass(frozen=True)
 class Alarms:
@@ -71,6 +73,7 @@ class Alarms:
         return self.rate
 
 
+@public
 def judgements(
     source: Any,
     parameters: Parameters | None = None,
@@ -100,6 +103,7 @@ def judgements(
         return _judged(study, alarms, "judgements")
 
 
+@public
 def episodes(
     source: Any,
     parameters: Parameters | None = None,
@@ -122,6 +126,7 @@ def episodes(
         return _judged(study, alarms, "episodes")
 
 
+@public
 def limits(
     source: Any,
     parameters: Parameters | None = None,

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gam_db.alarms import Alarms, Row, judge, limits_of
+from gam_db.arguments import public
 from gam_db.clock import Instant
 from gam_db.errors import ParameterError, wrong
 from gam_db.method.alarms import add_backtested
@@ -22,6 +23,7 @@ _LEFT, _RIGHT = 0.025, 0.975
 _DRAWS = 2000
 
 
+@public
 def backtest(
     source: Any,
     parameters: Parameters | None = None,

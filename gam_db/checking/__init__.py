@@ -9,6 +9,7 @@ from typing import Any
 
 import pyarrow as pa
 
+from gam_db.arguments import public
 from gam_db.checking.look import Look, look_at
 from gam_db.checking.notes import Note, must_be_fixed, notes
 from gam_db.checking.proposal import Proposal, propose
@@ -21,6 +22,7 @@ from gam_db.units import with_units
 __all__ = ["Look", "Note", "Proposal", "check", "look_at", "must_be_fixed", "notes", "propose"]
 
 
+@public
 def check(
     source: Any,
     parameters: Parameters | None = None,

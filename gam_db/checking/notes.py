@@ -11,7 +11,7 @@ from string import Formatter
 from gam_db import data
 from gam_db.checking.look import REGULAR_WITHIN, Look, Row, is_irregular, is_on_change
 from gam_db.checking.program_notes import remarks
-from gam_db.checking.proposal import BLOCKS, CYCLES, MOST_STILL, Proposal
+from gam_db.checking.proposal import BLOCKS, CYCLES, MOST_STILL, Proposal, room_of
 from gam_db.checking.words import extent, instant, number_of, percent, reaching, spoken
 from gam_db.clock import JUMP, SECOND, SINCE_1970, TimeKind, epoch_unit, is_of_our_time
 from gam_db.columns import name_of
@@ -248,7 +248,7 @@ def _on_amounts(look: Look, proposal: Proposal) -> list[Note]:
         for row in alone
         if row["calibration_lowest"] is not None
         and row["lowest"] < row["highest"]
-        and row["calibration_samples"] < BLOCKS * look.setting(row).window
+        and room_of(look, row) < look.setting(row).window
     ]
     short = [
         row
@@ -264,14 +264,15 @@ def _on_amounts(look: Look, proposal: Proposal) -> list[Note]:
         and (asked is None or "window" not in asked.of(*name_of(row)).open_settings)
     ]
     longest = max((row["cycle_length"] for row in cycling), default=0)
-    enough = max(proposal.window, CYCLES * longest)
+    enough = max(proposal.window or 0, CYCLES * longest)
+    fits = all(room_of(look, row) >= enough for row in cycling)
     return [
         *found,
         *_partial(look),
         *_noted("no_calibration", without, must=len(without) == len(held)),
         *_noted("short_calibration", brief, blocks=BLOCKS),
         *_noted("short", short, must=len(short) == len(held)),
-        *_noted("short_window", cycling, cycles=CYCLES, enough=enough),
+        *_noted("short_window" if fits else "few_cycles", cycling, cycles=CYCLES, enough=enough),
     ]
 
 

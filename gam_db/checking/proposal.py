@@ -10,14 +10,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from gam_db.checking.look import PAUSE, Look, Row, is_irregular
-from gam_db.checking.words import percent, roundest, setting, spoken
+from gam_db.checking.words import number_of, percent, roundest, setting, spoken
 from gam_db.clock import TimeKind
 
 CYCLES = 5
 """A window holds at least so many cycles; the paper asks for several complete ones."""
 BLOCKS = 8
 """Calibration is at least so many windows long, or the certificate has to take shorter blocks."""
-_SHORTEST_WINDOW = 10
+SHORTEST_WINDOW = 10
+"""A shorter window is not proposed."""
 MOST_STILL = 0.1
 """Share of calibration from which on still samples are not proposed to count as missing."""
 
@@ -36,8 +37,9 @@ class Proposal:
 
     max_gap: Proposed | None  # None where no channel pauses, or where no one length suits all channels
     gaps: dict[str, Proposed]  # channel -> max_gap, where one length does not suit all
-    window: int  # W, in vectors
+    window: int | None  # W, in vectors; None where calibration is too short for any
     window_reason: str
+    windows: dict[str, Proposed]  # channel -> a shorter window, where its calibration is shorter
     still: Proposed | None  # None where none stood still in calibration, or where not all can take it
     stills: dict[str, Proposed]  # channel -> still_after, where not all can
 
@@ -97,40 +99,86 @@ def _gap(rows: Sequence[Row], kind: TimeKind) -> Proposed | None:
     return Proposed(setting(length, kind), reason)
 
 
-def _open_window(usual: int, healthy: int, cycle: int) -> tuple[int, str]:
+def room_of(look: Look, row: Row) -> int:
+    """Return the longest window of which the calibration of a channel has eight."""
+    vectors: int = max(row["calibration_samples"] - look.setting(row).span, 0)
+    return vectors // BLOCKS
+
+
+def _open_window(usual: int, healthy: int, cycle: int, room: int) -> tuple[int, str]:
     """Return the window where none was given: whole cycles if there are any, else the usual one."""
     if not cycle:
+        if usual > room:
+            return _eighth(room, healthy)
         return usual, f"a twentieth of the calibration, {healthy:,} samples"
-    window = min(max(CYCLES * cycle, healthy // 40), healthy // 16)
+    window = min(max(CYCLES * cycle, healthy // 40), healthy // 16, room)
     whole = math.ceil(window / cycle) * cycle
-    window = whole if whole <= healthy // BLOCKS else max(window, 1)
+    window = whole if whole <= room else window
     reason = f"{window / cycle:.1f} cycles of about {cycle:,} samples"
     if healthy < BLOCKS * cycle:
         reason += f"; calibration has {healthy // cycle} of at least {BLOCKS} cycles"
     return window, reason
 
 
-def _window(look: Look) -> tuple[int, str]:
+def _eighth(room: int, healthy: int) -> tuple[int, str]:
+    """Return the longest window of which a calibration has eight, in two digits and zeros, and why."""
+    unit = 10 ** max(len(str(room)) - 2, 0)
+    reason = f"an eighth of the calibration, {healthy:,} samples, so that it has {BLOCKS} blocks"
+    return room // unit * unit, reason
+
+
+def _window(look: Look) -> tuple[int | None, str, dict[str, Proposed]]:
     said = look.method.parameters.window
     is_open = look.method.asked is not None and "window" in look.method.asked.open_settings
     as_said = "the default" if is_open else "as it is set"
     moving = [row for row in look.channels if row["rises"] or row["falls"]]
     if not moving:
-        return said, as_said
-    healthy = int(statistics.median_low(row["calibration_samples"] for row in moving))
-    cycles = [row["cycle_length"] for row in moving if row["cycle_length"] is not None]
+        return said, as_said, {}
+    least = SHORTEST_WINDOW if is_open else min(SHORTEST_WINDOW, said)
+    fitting = [row for row in moving if room_of(look, row) >= least]
+    if not fitting:
+        most = max(row["calibration_samples"] for row in moving)
+        needed = BLOCKS * least + max(look.setting(row).span for row in moving)
+        reason = f"calibration is too short for any: {BLOCKS} windows of {least} vectors take "
+        return None, f"{reason}{needed:,} samples, and it has {most:,}; calibrate longer", {}
+    healthy = int(statistics.median_low(row["calibration_samples"] for row in fitting))
+    room = statistics.median_low(room_of(look, row) for row in fitting)
+    cycles = [row["cycle_length"] for row in fitting if row["cycle_length"] is not None]
     cycle = statistics.median_high(cycles) if cycles else 0
     if is_open:
-        return _open_window(said, healthy, cycle)
-    room = healthy // BLOCKS
-    window, reason = said, as_said
-    if _SHORTEST_WINDOW <= room < said:
-        unit = 10 ** max(len(str(room)) - 2, 1)
-        window = room // unit * unit  # two digits and zeros
-        reason = f"an eighth of the calibration, {healthy:,} samples, so that it has {BLOCKS} blocks"
-    if cycle * CYCLES > window:
-        window = 100 * math.ceil(cycle * CYCLES / 100)
-        reason = f"{CYCLES} cycles of about {cycle:,} samples"
-        if window > room:
-            reason += f"; calibrate on {BLOCKS * window:,} samples or more, for {BLOCKS} blocks"
-    return window, reason
+        window, reason = _open_window(said, healthy, cycle, room)
+    else:
+        window, reason = _set_window(said, healthy, cycle, room, as_said)
+    return window, *_shorter(look, moving, window, reason)
+
+
+def _set_window(said: int, healthy: int, cycle: int, room: int, as_said: str) -> tuple[int, str]:
+    """Return the window where one was given: that, unless calibration or cycles want another."""
+    window, reason = (said, as_said) if said <= room else _eighth(room, healthy)
+    wanted = 100 * math.ceil(cycle * CYCLES / 100)
+    if cycle * CYCLES <= window:
+        return window, reason
+    if wanted <= room:
+        return wanted, f"{CYCLES} cycles of about {cycle:,} samples"
+    window, reason = _eighth(room, healthy)
+    return window, f"{reason}; {CYCLES} cycles of about {cycle:,} samples take a longer calibration"
+
+
+def _shorter(
+    look: Look, moving: Sequence[Row], window: int, reason: str
+) -> tuple[str, dict[str, Proposed]]:
+    """Return why this window, and shorter ones for names of channels with a shorter calibration."""
+    own: dict[str, Proposed] = {}
+    if look.method.calibration.pools:  # what a channel lacks its pool may have
+        return reason, own
+    short = [row for row in moving if room_of(look, row) < window]
+    none = [row for row in short if room_of(look, row) < SHORTEST_WINDOW]
+    if none:
+        reason += f"; calibration of {number_of(len(none), 'channel')} is too short for any window"
+    for name in dict.fromkeys(row["channel"] for row in short if row not in none):
+        briefest = min(
+            (row for row in short if row["channel"] == name and row not in none),
+            key=lambda row: room_of(look, row),
+        )
+        own[name] = Proposed(*_eighth(room_of(look, briefest), briefest["calibration_samples"]))
+    return reason, own

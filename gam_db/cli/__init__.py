@@ -118,7 +118,7 @@ class Commands(TyperGroup):
                     code = super().main(words, *more, **named)
             except RunAgainError as error:
                 if turn < int(retry or 0):
-                    print(f"gam: {_legible(str(error))} Trying again.", file=sys.stderr)
+                    print(f"gam: {_legible(error.options)} Trying again.", file=sys.stderr)
                     time.sleep(min(_PAUSE * 2**turn, _LONGEST_PAUSE))
                     continue
                 code = _told(error, debug, as_json)
@@ -239,7 +239,9 @@ def _told(error: Exception, debug: bool, as_json: bool) -> int:
         if isinstance(error, StatementError) and error.statement:
             print(f"\nThe statement was:\n{error.statement}\n", file=sys.stderr)
     is_usage = isinstance(error, _UsageError)
-    said = error.message if is_usage else str(error)  # type: ignore[attr-defined]
+    said = error.options if isinstance(error, UserError) else str(error)
+    if is_usage:
+        said = error.message  # type: ignore[attr-defined]
     message = _legible(said)
     exit_code = Exit.OUR_FAULT
     if is_usage or isinstance(error, UserError):

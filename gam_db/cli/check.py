@@ -95,6 +95,7 @@ def _figures(seen: Seen) -> Row:
             "max_gap": gap,
             "max_gap_by_channel": {name: one.value for name, one in proposal.gaps.items()},
             "window": proposal.window,
+            "window_by_channel": {name: one.value for name, one in proposal.windows.items()},
             "still_after": still,
             "still_after_by_channel": {name: one.value for name, one in proposal.stills.items()},
         },
@@ -211,8 +212,12 @@ def _ending(seen: Seen) -> list[str]:
         to_set.append(f"still_after = {proposal.still.value} ({proposal.still.reason})")
     elif said.still_after is None and proposal.stills:
         to_set.append(f"still_after of {number_of(len(proposal.stills), 'channel')}")
-    if proposal.window != said.window:
+    if proposal.window is None:
+        lines.append(f"no window: {proposal.window_reason}")
+    elif proposal.window != said.window:
         to_set.append(f"window = {proposal.window} ({proposal.window_reason})")
+    if proposal.windows:
+        to_set.append(f"a shorter window of {number_of(len(proposal.windows), 'channel')}")
     lines += [] if must else ["nothing must be fixed"]
     return lines + ([f"to be set: {'; '.join(to_set)} (gam init writes it down)"] if to_set else [])
 
@@ -233,7 +238,7 @@ def _check_state(
             state = State(session, settings.monitor.tables)
             keep(state, state.monitor(name)["monitor_id"], found.proof)
     except EngineError as error:
-        unkept = str(error)
+        unkept = error.options
     kind, proof = kind_of(known), found.proof
     rows = [_told(row, kind, "since") for row in found.differences.to_pylist()]
     apart = [_told(row, kind, "since", "until") for row in found.uncompared.to_pylist()]

@@ -141,6 +141,12 @@ def _lines(
 
 
 def _window(one: Row, window: int) -> str:
+    taken = one["recommended_window"]
+    if taken is None:
+        return page.WORDS["select"]["no_window"]
+    wanted = window if one["window_status"] != "short" else 5 * one["cycle_length"]
+    if taken < wanted:
+        return page.WORDS["select"]["eighth"].format(taken=taken, wanted=wanted)
     if one["window_status"] == "no_cycle":
         return f"{window}: as asked for; no cycle seen"
     cycle = one["cycle_length"]
@@ -157,7 +163,7 @@ def _together(one: Row) -> str:
         "--bins": one["recommended_bins"],
         "--window": one["recommended_window"],
     }
-    line = " ".join(f"{option} {value}" for option, value in taken.items())
+    line = " ".join(f"{option} {value}" for option, value in taken.items() if value is not None)
     if one["verdict"] == "needs_data":
         needed = one["vectors_needed"]
         more = "" if needed is None else f", about {needed:,} vectors more"

@@ -61,7 +61,10 @@ def groups(
     said = {name: {**own.get(name, {})} for name in names}
     for names in _together(list(rows), job.calibration.pools):
         for key, of, column in _TAKEN:
-            value = of([1 if rows[name][column] is None else rows[name][column] for name in names])
+            taken = [rows[name][column] for name in names]
+            if key == "window" and None in taken:  # calibration is too short for any
+                continue
+            value = of([1 if one is None else one for one in taken])
             if key != "window" or value != window:
                 for name in names:
                     said[name][key] = value
@@ -188,11 +191,22 @@ def _reason(members: Sequence[Row], job: Job) -> str:
     if len(floors) < len(members):
         short = number_of(len(members) - len(floors), "channel")
         parts.append(f"needs_data: no grid passes for {short}, calibrate longer")
-    if cycles := [row["cycle_length"] for row in members if row["window_status"] == "short"]:
+    windows = [row for row in members if row["recommended_window"] is not None]
+    if any(row["recommended_window"] < _wanted(row, job) for row in windows):
+        parts.append("window: an eighth of calibration at most")
+    elif cycles := [row["cycle_length"] for row in windows if row["window_status"] == "short"]:
         parts.append(f"window: five cycles of up to {max(cycles):,} samples")
+    if none := sum(row["recommended_window"] is None for row in members):
+        parts.append(f"no window: calibration of {number_of(none, 'channel')} is too short for any")
     if job.calibration.pools:
         parts.append("one choice for all that learn together")
     return f"{number_of(len(members), 'channel')}. {'. '.join(parts)}."
+
+
+def _wanted(row: Row, job: Job) -> int:
+    """Return the window that the cycle of a channel wants, or that is asked for."""
+    asked = job.parameters.closed().window if job.parameters.is_open else job.parameters.window
+    return 5 * row["cycle_length"] if row["window_status"] == "short" else int(asked)
 
 
 def _plain(value: Any) -> Any:

@@ -119,7 +119,7 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
     try:
         return _settings(document, path)
     except UserError as error:
-        raise ConfigurationError(f"{path}: {error}") from error
+        raise ConfigurationError(f"{path}: {error.options}") from error
 
 
 def _check_where(source: SourceSettings) -> None:
@@ -184,7 +184,7 @@ def _read(where: str, table: Mapping[str, Any], of: type) -> dict[str, Any]:
     try:
         return {name: known[name].of_toml(name, value) for name, value in table.items()}
     except UserError as error:
-        raise ConfigurationError(f"in {where}, {error}") from error
+        raise ConfigurationError(f"in {where}, {error.options}") from error
 
 
 def _override(where: str, table: Mapping[str, Any]) -> Override:

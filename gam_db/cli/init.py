@@ -61,6 +61,8 @@ def init(
 
     def show(lines: page.Out) -> None:
         page.say(lines, heading(seen))
+        if _proposes_window(settings) and seen.proposal.window is None:
+            page.say(lines, f"no window: {seen.proposal.window_reason}")
         if must := sum(note.must for note in seen.notes):
             page.say(lines, f"{must} to be fixed first; gam check says what")
         lines.print(f"written: {printable(str(out))}; read it, then: gam run", soft_wrap=True)
@@ -121,6 +123,9 @@ def text(
     lines += ["", "[source]", *toml_text.entries(_source(seen, settings, folder))]
     parameters = _parameters(seen, settings)
     rules = [] if found is None or choices is not None else found.rules()
+    if _proposes_window(settings) and seen.proposal.window is None:
+        for _, values, _ in rules:
+            values.pop("window", None)
     parameters |= {
         name: (of, f"{settings_of(Parameters)[name].what}: {why[name]}")
         for pattern, values, why in rules
@@ -133,6 +138,9 @@ def text(
     for name, _, of_channels, _ in _unsaid(seen, settings):
         for channel, one in of_channels.items():
             proposed.setdefault(channel, {})[name] = one.value, one.reason
+    if _proposes_window(settings) and choices is None:  # which have windows of their own
+        for channel, one in seen.proposal.windows.items():
+            proposed.setdefault(channel, {})["window"] = one.value, one.reason
     if choices is not None:
         own = {
             (row["asset"], row["channel"]): {name: value for name, (value, _) in said_own.items()}
@@ -167,10 +175,15 @@ def _unsaid(seen: Seen, settings: Settings) -> list[tuple[str, Any, Mapping[str,
     return [one for one in every if one[0] not in settings.parameters]
 
 
+def _proposes_window(settings: Settings) -> bool:
+    """Tell whether a window may be proposed: neither it nor what must divide it was given."""
+    return not {"window", "stride"} & {*settings.parameters}
+
+
 def _settled(seen: Seen, settings: Settings) -> Seen:
     """Return the same with what is proposed set: only what is left to be said is said."""
     changed: dict[str, Any] = {}
-    if "window" not in settings.parameters and "stride" not in settings.parameters:
+    if _proposes_window(settings) and seen.proposal.window is not None:
         changed = {"window": seen.proposal.window, "stride": None}
     changed |= {name: one.value for name, one, *_ in _unsaid(seen, settings) if one is not None}
     parameters = dataclasses.replace(seen.job.parameters, **changed)
@@ -220,8 +233,8 @@ def _parameters(seen: Seen, settings: Settings) -> dict[str, tuple[Any, str]]:
     for name, one, own, never in _unsaid(seen, settings):
         several = "none for all channels, see the overrides"
         found[name] = (False, several if own else never) if one is None else (one.value, one.reason)
-    if parameters.window == proposal.window:
-        found["window"] = (proposal.window, proposal.window_reason)
+    if proposal.window is None or parameters.window == proposal.window:
+        found["window"] = (parameters.window, proposal.window_reason)
     said: dict[str, tuple[Any, str]] = {}
     steps = sorted(row["typical_step"] for row in seen.look.channels if row["typical_step"])
     for name, setting in settings_of(Parameters).items():

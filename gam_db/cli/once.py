@@ -15,6 +15,7 @@ from typing import Any, Literal
 from pyarrow import ArrowInvalid, parquet
 
 from gam_db.address import is_url
+from gam_db.alarms import Alarms
 from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
 from gam_db.checking.words import number_of
 from gam_db.cli import automatic, options, page
@@ -88,33 +89,21 @@ def run(
             study = job.study(session, progress.on_step, short_cuts=others is None)
             if others is None:
                 longest = park_after(settings.monitor.park_after, study.method.kind)
-                found = findings(study, settings.alarms, longest)
-                urgent = need_attention(found) or any(map(is_blind, found))
-                programs: list[Row] = []
-                if study.method.programs is not None:  # by way of Arrow: instants may have a zone
-                    programs = study.table("program_summary").to_pylist()
-                lacking = lack_data(found) or bool(of_programs.unjudged(programs))
-                told = {
-                    "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
-                    "verdicts": Counter(row["verdict"] for row in found),
-                    "chosen": automatic.figures(study.siblings),
-                    "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
-                    "needs_attention": urgent,
-                    **({} if study.method.programs is None else {"programs": programs}),
-                }
-                more = partial(show, everything=everything, siblings=study.siblings, programs=programs)
-                shows = partial(more, job=job, found=found, shown_in=shown_in)
+                summary = summarised(study, job, settings.alarms, longest)
+                urgent, lacking, told = summary.needs_attention, summary.lacks_data, summary.figures()
+                shows = partial(summary.show, everything=everything, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
-                rows, urgent, lacking = study.rows("last_scores"), False, False
+                rows, urgent = study.rows("last_scores"), False
                 told = {"estimator": estimator, "channels": rows}
                 asked = {"estimator": estimator, "rows": rows, "everything": everything}
                 shows = partial(others.show_scores, job=job, **asked)
+                told["ahead"], lacking = ahead_of(study), bool(study.ahead)
         if not (common.as_json or common.quiet):
             shows(page.console())
-            page.say(page.console(), *ahead_sentences(study.ahead, len(told["channels"]), study.clock))
-        told["ahead"] = ahead_of(study)
-        lacking = lacking or bool(study.ahead)
+            if others is not None:
+                ahead = ahead_sentences(study.ahead, len(told["channels"]), study.clock)
+                page.say(page.console(), *ahead)
         with Progress(session, common.quiet) as progress:
             for result in results:
                 progress.on_step(f"writing {result}")
@@ -145,6 +134,89 @@ def _others(estimator: str) -> Any:
     except (StopIteration, ModuleNotFoundError) as error:
         raise wrong("estimator_of_laboratory", estimator=estimator, own=DSE) from error
     return others
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Summary:
+    """What ``gam run`` says of a source: printed it is that page, and its rows are here.
+
+    Attributes:
+        job: source and method, as they were resolved.
+        channels: a row (dict) per channel, the most urgent first: what :func:`gam_db.support` has of it;
+            ``status``, ``urgency``, ``needs_attention``, ``judged_by``, ``hi``, ``is_above``, and of its
+            newest episode ``episode``, ``onset`` and ``is_open``; ``course``, (points,) the health
+            indicator so far, with ``course_from`` and ``last_time``; ``remarks``, sentences.
+        programs: what :func:`gam_db.programs` returns, as rows; empty where the source names none.
+        siblings: channels that share settings which calibration chose.
+        ahead: channels with rows that are later than now, which are left out, and how many.
+        sentences: what is to be said of these.
+    """
+
+    job: Job
+    channels: list[Row]
+    programs: list[Row]
+    siblings: list[Siblings]
+    ahead: list[Row]
+    sentences: list[str]
+
+    @property
+    def needs_attention(self) -> bool:
+        """Tell whether a channel needs attention, or would show no shift (exit code 2)."""
+        return need_attention(self.channels) or any(map(is_blind, self.channels))
+
+    @property
+    def lacks_data(self) -> bool:
+        """Tell whether something of the data has to be mended (exit code 4)."""
+        return lack_data(self.channels) or bool(of_programs.unjudged(self.programs) or self.ahead)
+
+    def figures(self) -> dict[str, Any]:
+        """Return what ``gam run --json`` prints of the channels."""
+        found = self.channels
+        return {
+            "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
+            "verdicts": Counter(row["verdict"] for row in found),
+            "chosen": automatic.figures(self.siblings),
+            "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
+            "needs_attention": self.needs_attention,
+            **({} if self.job.guess.source.program is None else {"programs": self.programs}),
+            "ahead": self.ahead,
+        }
+
+    def show(self, out: page.Out, everything: bool = False, shown_in: dt.tzinfo = dt.UTC) -> None:
+        """Print it."""
+        told = self.channels, everything, shown_in, self.siblings, self.programs
+        show(out, self.job, *told)
+        page.say(out, *self.sentences)
+
+    def text(self, everything: bool = False, time_zone: str = "UTC", width: int | None = None) -> str:
+        """Return what ``gam run`` prints.
+
+        Args:
+            everything: every channel, not only the 40 most urgent, and all remarks (``--all``).
+            time_zone: in which times are shown, such as Europe/Berlin.
+            width: in characters; None for that of the terminal, or 80.
+
+        Raises:
+            ConfigurationError: there is no such time zone.
+        """
+        out = page.text_console(width)
+        self.show(out, everything, zone(time_zone))
+        return str(out.file.getvalue())  # type: ignore[attr-defined]
+
+    def __str__(self) -> str:
+        return self.text()
+
+    __repr__ = __str__  # what a notebook shows
+
+
+def summarised(study: Study, job: Job, alarms: Alarms, longest: int | None = None) -> Summary:
+    """Return what is found of a study; *longest* is as for :func:`findings`."""
+    found = findings(study, alarms, longest)
+    programs: list[Row] = []
+    if study.method.programs is not None:  # by way of Arrow: instants may have a zone
+        programs = study.table("program_summary").to_pylist()
+    sentences = ahead_sentences(study.ahead, len(found), study.clock)
+    return Summary(job, found, programs, study.siblings, ahead_of(study), sentences)
 
 
 def show(

@@ -5,6 +5,7 @@ This module owns how things look. What they mean is said by :mod:`gam_db.finding
 
 import dataclasses
 import datetime as dt
+import io
 import json
 import math
 from collections import Counter
@@ -57,6 +58,13 @@ Out = Console
 def console() -> Out:
     """Return the console of pages: no markup, so that names mean nothing but themselves."""
     return Console(markup=False, highlight=False, emoji=False)
+
+
+def text_console(width: int | None = None) -> Console:
+    """Return a console whose page is a text, that of its ``file``; None is the width of the terminal."""
+    plain_text: dict[str, Any] = {"force_terminal": False, "force_jupyter": False, "color_system": None}
+    plain_text |= {"markup": False, "highlight": False, "emoji": False}
+    return Console(file=io.StringIO(), width=width, **plain_text)
 
 
 def tell(

@@ -11,6 +11,7 @@ from typing import Any
 
 from gam_db import data
 from gam_db.address import check
+from gam_db.arguments import public
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, nearest, wrong
@@ -22,6 +23,7 @@ _FILE = "duckdb:///"
 _SCHEMES, _PACKAGES = data.table("gam_db.engines", "connecting.toml").values()
 
 
+@public
 def connect(
     target: Any = None,
     threads: int | None = None,

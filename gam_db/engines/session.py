@@ -18,6 +18,7 @@ from sqlglot import exp
 from gam_db.composing import template
 from gam_db.engines.base import REFUSES
 from gam_db.engines.driver import Driver
+from gam_db.engines.frames import arrow_table
 from gam_db.engines.functions import macro
 from gam_db.engines.refusals import CONFLICT as CONFLICT
 from gam_db.engines.refusals import OPEN, first_line
@@ -86,6 +87,10 @@ class Session:
             raise wrong("engine_reads_no_texts", title=self.engine.title)
         if not isinstance(relation, (str, Path, tuple, list)):
             return self.load(arrow_table(relation))
+        if isinstance(relation, (tuple, list)):
+            others = (type(one).__name__ for one in relation if not isinstance(one, (str, Path)))
+            if other := next(others, None):
+                raise wrong("list_of_values", kind=other)
         if isinstance(relation, Path) and is_spreadsheet(relation):
             raise wrong("spreadsheet", relation=relation)
         if is_file(relation):
@@ -299,41 +304,6 @@ class Session:
             raise StatementError(
                 f"{self.engine.title} refused a statement: {first_line(error)}", statement
             ) from error
-
-
-def arrow_table(relation: Any) -> pa.Table:
-    """Return an object that holds a table as an Arrow table.
-
-    That is one with ``__arrow_c_stream__`` (Arrow, pandas, polars, DuckDB), a frame that has yet to be
-    collected (polars), or a table that runs elsewhere (Ibis).
-
-    Raises:
-        SourceError: it is none of these, or its columns cannot be told apart.
-    """
-    if type(relation).__module__.partition(".")[0] == "polars" and hasattr(relation, "collect"):
-        relation = relation.collect()
-    elif not hasattr(relation, "__arrow_c_stream__") and hasattr(relation, "to_pyarrow"):
-        relation = relation.to_pyarrow()
-    if not hasattr(relation, "__arrow_c_stream__"):
-        raise wrong("no_relation", kind=type(relation).__name__)
-    table = relation if isinstance(relation, pa.Table) else pa.table(relation)
-    check_columns(table)
-    return table
-
-
-def check_columns(table: pa.Table) -> None:
-    """Refuse an Arrow table whose columns DuckDB cannot tell apart.
-
-    Raises:
-        SourceError: it has no columns, or names that differ by case only.
-    """
-    if not table.column_names:
-        raise SourceError("The Arrow table has no columns.")
-    seen: dict[str, str] = {}
-    for name in table.column_names:
-        if (twin := seen.get(name.casefold())) is not None:
-            raise wrong("arrow_names_alike", twin=twin, name=name)
-        seen[name.casefold()] = name
 
 
 def _of_others(names: set[str]) -> list[str]:

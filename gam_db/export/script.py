@@ -11,6 +11,7 @@ from functools import partial
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.arguments import public
 from gam_db.clock import TimeKind, looks_like_calendar
 from gam_db.composing import template
 from gam_db.composing.brief import shortened
@@ -54,6 +55,7 @@ _ABOUT = ("The health indicator over the live source, against what calibration f
 _RESULTS = ("support_summary", "certificate", "probes")
 
 
+@public
 def render(
     form: str,
     engine: str,

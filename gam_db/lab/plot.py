@@ -1,10 +1,12 @@
 """Figures for a notebook, by Plotly: the indicator of a signal, and the fleet over time.
 
-Their figures are those of the views of a monitor, or of what ``gam run`` wrote; nothing is computed here
-but which stretch of time a bucket falls into. The page of ``gam report`` needs none of this.
+Their figures are those of the views of a monitor, of what ``gam run`` wrote, or of what
+:func:`gam_db.health_indicator` returns; nothing is computed here but which stretch of time a bucket
+falls into. The page of ``gam report`` needs none of this.
 """
 
 import html
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +16,9 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 from sqlglot import exp
 
+from gam_db.arguments import public
 from gam_db.engines.connecting import connect
+from gam_db.engines.frames import arrow_table
 from gam_db.errors import ConfigurationError, nearest, wrong
 from gam_db.extras import needed
 from gam_db.stored.monitor import Monitor
@@ -24,25 +28,33 @@ STRETCHES = 240
 
 _ENDING = ".parquet"
 
+_NAMED = 4
+"""Signals that an error names."""
 
-def signal(results: Monitor | str | Path, asset: str, channel: str) -> Any:
+
+@public
+def signal(
+    results: Monitor | pa.Table | str | Path,
+    asset: str | None = None,
+    channel: str | None = None,
+    support: pa.Table | None = None,
+) -> Any:
     """Return a figure of the indicator of one signal with its limit, where it has one.
 
     Args:
-        results: a monitor, or what ``gam run`` wrote: the Parquet file of the indicator, with
+        results: a monitor; what :func:`gam_db.health_indicator` or :func:`gam_db.health_at_buckets`
+            returns; or what ``gam run`` wrote: the Parquet file of the indicator, with
             NAME.support.parquet beside it, or the DuckDB file.
-        asset: the machine.
-        channel: its signal.
+        asset: the machine; None if all signals are of one.
+        channel: its signal; None if there is one only.
+        support: what :func:`gam_db.support` returns, which has the limits, where results are a table.
 
     Raises:
-        UserError: there is no such signal or file, or Plotly is not installed.
+        UserError: there is no such signal or file, several could be meant, or Plotly is not installed.
     """
     figures = needed("plotly.graph_objects", "plot")
-    rows, limits = _read(results)
-    if (asset, channel) not in limits:
-        known = [" / ".join(name) for name in limits]
-        asked = f"{asset} / {channel}"
-        raise ConfigurationError(f"There is no signal {asked!r}{nearest(asked, known)}")
+    rows, limits = _read(results, support)
+    asset, channel = _meant(asset, channel, list(limits))
     mine = rows.filter(pa.array((_texts(rows, "asset") == asset) & (_texts(rows, "channel") == channel)))
     limit = limits[asset, channel]
     drawn = figures.Figure(
@@ -54,17 +66,21 @@ def signal(results: Monitor | str | Path, asset: str, channel: str) -> Any:
     return drawn.update_layout(title=title, yaxis={"range": [0, 1], "title": {"text": "hi"}})
 
 
-def fleet(results: Monitor | str | Path) -> Any:
+@public
+def fleet(results: Monitor | pa.Table | str | Path, support: pa.Table | None = None) -> Any:
     """Return a figure of the machines over time: how many signals were above at once.
 
     Args:
         results: as in :func:`signal`. Signals without a limit count nowhere.
+        support: likewise; needed where results are a table.
 
     Raises:
         UserError: there is no such file, nothing in it is judged, or Plotly is not installed.
     """
     figures = needed("plotly.graph_objects", "plot")
-    rows, limits = _read(results)
+    rows, limits = _read(results, support)
+    if support is None and not isinstance(results, (Monitor, str, Path)):
+        raise wrong("no_limits_to_plot")
     asset, channel = _texts(rows, "asset"), _texts(rows, "channel")
     limit = np.array([limits[name] for name in zip(asset, channel, strict=True)], dtype=float)
     hi = rows["hi"].to_numpy(zero_copy_only=False).astype(float)
@@ -96,15 +112,49 @@ def _texts(rows: pa.Table, column: str) -> NDArray[Any]:
     return np.array(rows[column].to_pylist(), dtype=object)
 
 
-def _read(results: Monitor | str | Path) -> tuple[pa.Table, dict[tuple[str, str], float | None]]:
+def _meant(asset: str | None, channel: str | None, known: Sequence[tuple[str, str]]) -> tuple[str, str]:
+    """Return the signal that is meant, of those that there are."""
+    fitting = [name for name in known if asset in (None, name[0]) and channel in (None, name[1])]
+    if len(fitting) == 1:
+        return fitting[0]
+    shown = [" / ".join(name) for name in known]
+    if fitting:
+        raise wrong("several_signals_to_plot", count=len(fitting), names=", ".join(shown[:_NAMED]))
+    asked = " / ".join("*" if one is None else one for one in (asset, channel))
+    raise ConfigurationError(f"There is no signal {asked!r}{nearest(asked, shown, _NAMED)}")
+
+
+def _read(
+    results: Monitor | pa.Table | str | Path, support: pa.Table | None
+) -> tuple[pa.Table, dict[tuple[str, str], float | None]]:
     """Return what is drawn: rows of the indicator, and the limit of each signal."""
-    if isinstance(results, Monitor):
+    known: pa.Table
+    if not isinstance(results, (Monitor, str, Path)):
+        if not hasattr(results, "__arrow_c_stream__"):
+            raise wrong("nothing_to_plot", kind=type(results).__name__)
+        rows, known = _of_table(arrow_table(results)), support
+    elif support is not None:
+        raise wrong("limits_to_plot_twice")
+    elif isinstance(results, Monitor):
         rows, known = results.health(), results.status()
         time = rows["last_tick"] if rows["last_time"].null_count == rows.num_rows else rows["last_time"]
         rows = rows.select(["asset", "channel", "hi"]).append_column("time", time)
     else:
         rows, known = _of_file(Path(results))
-    return rows, {(row["asset"], row["channel"]): row["hi_limit"] for row in known.to_pylist()}
+    if known is None:
+        names = rows.group_by(["asset", "channel"], use_threads=False).aggregate([])
+        return rows, {(row["asset"], row["channel"]): None for row in names.to_pylist()}
+    limits = {(row["asset"], row["channel"]): row["hi_limit"] for row in known.to_pylist()}
+    return rows, limits
+
+
+def _of_table(health: pa.Table) -> pa.Table:
+    """Return what is drawn of the health indicator, of each vector or of each bucket."""
+    columns = ["asset", "channel", "time" if "time" in health.column_names else "last_time", "hi"]
+    for name in columns:
+        if name not in health.column_names:
+            raise wrong("no_health_to_plot", column=name)
+    return health.select(columns).rename_columns(["asset", "channel", "time", "hi"])
 
 
 def _of_file(path: Path) -> tuple[pa.Table, pa.Table]:

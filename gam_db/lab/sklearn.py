@@ -3,6 +3,8 @@
 This module owns how rows become channels and health indicators become scores.
 """
 
+import warnings
+from collections.abc import Mapping
 from typing import Any, Self
 
 import numpy as np
@@ -11,7 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, OutlierMixin
 from sklearn.utils.validation import check_is_fitted, validate_data
 
+from gam_db import data
 from gam_db.engines.connecting import borrowed
+from gam_db.errors import CalibrationWarning
 from gam_db.health import support
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
@@ -19,6 +23,9 @@ from gam_db.settings.source import WideSource
 from gam_db.study import Study
 
 Scores = NDArray[np.float64]
+
+_NAMED = 3
+"""Features that a warning names."""
 
 
 class NoveltyDetector(OutlierMixin, BaseEstimator):  # type: ignore[misc]
@@ -40,6 +47,10 @@ class NoveltyDetector(OutlierMixin, BaseEstimator):  # type: ignore[misc]
 
     Raises:
         ParameterError: a parameter is out of its range.
+
+    Warns:
+        CalibrationWarning: what was fitted is not ``ready`` to judge some feature by; it names the
+            features, their verdict and what to do. Those that are not ``blind`` are never outliers.
     """
 
     def __init__(
@@ -62,6 +73,9 @@ class NoveltyDetector(OutlierMixin, BaseEstimator):  # type: ignore[misc]
         Args:
             X: (samples, features) of a healthy machine.
             y: ignored.
+
+        Warns:
+            CalibrationWarning: it is not ``ready`` to judge some feature by.
         """
         self._healthy = validate_data(
             self, X, dtype=np.float64, ensure_all_finite="allow-nan", ensure_min_samples=2
@@ -73,6 +87,9 @@ class NoveltyDetector(OutlierMixin, BaseEstimator):  # type: ignore[misc]
         with borrowed(None) as session:
             self.parameters_ = Study(session, source, Parameters(**asked), calibration).method.parameters
             learnt = support(source, self.parameters_, calibration, session).to_pylist()
+        verdict = {row["channel"]: row["verdict"] for row in learnt}
+        names = getattr(self, "feature_names_in_", source.value_columns)
+        _warn({str(name): verdict[of] for name, of in zip(names, source.value_columns, strict=True)})
         limits = {row["channel"]: row["hi_limit"] for row in learnt}
         known = [limits[name] for name in source.value_columns]
         self.limits_ = np.array([1.0 if limit is None else limit for limit in known])
@@ -135,3 +152,13 @@ class NoveltyDetector(OutlierMixin, BaseEstimator):  # type: ignore[misc]
         names = [f"x{place}" for place in range(rows.shape[1])]
         table = pa.table({"time": time, **dict(zip(names, rows.T.copy(), strict=True))})
         return WideSource(table, asset=None, time="time", channels=names)
+
+
+def _warn(verdicts: Mapping[str, str]) -> None:
+    """Warn of features, given with their verdicts, that calibration cannot judge well, once for each."""
+    for verdict, advice in data.table("gam_db.lab", "sklearn.toml")["verdicts"].items():
+        names = [name for name, of in verdicts.items() if of == verdict]
+        if names:
+            more = f" and {len(names) - _NAMED:,} more" if len(names) > _NAMED else ""
+            said = f"{', '.join(names[:_NAMED])}{more}: calibration is {verdict}, not ready: {advice}."
+            warnings.warn(said, CalibrationWarning, stacklevel=3)

@@ -14,7 +14,8 @@ from typing import Any, Literal, TypeAlias
 from gam_db import data
 from gam_db.address import shown
 from gam_db.clock import Length
-from gam_db.engines.session import Session, arrow_table
+from gam_db.engines.frames import arrow_table, signal_table
+from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
 from gam_db.settings.form import Form
 from gam_db.settings.setting import (
@@ -69,6 +70,8 @@ KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
 _TAIL = re.compile(r"(?<=..)(id|name|number|no|nr)$")
 
 _WHAT = {"asset": "the machine", "channel": "the signal", "time": "the time", "value": "the reading"}
+_LONGEST = 260
+"""Letters of an error that names columns, about; not all are named where there are many."""
 _NONE = {"asset": "--no-asset if it is one machine", "channel": "--no-channel if it is one signal"}
 
 
@@ -102,25 +105,34 @@ def folder_or_table(given: Any, session: Session) -> Any:
 
 
 def sourced(given: Any, session: Session) -> AnySource:
+    """Return a source as it was given, or what is meant by a relation alone: see :func:`looked_up`."""
+    return looked_up(given, session).source
+
+
+def looked_up(given: Any, session: Session) -> Guess:
     """Return a source as it was given, or what is meant by a relation alone, its columns guessed.
 
     That is a path, a list of paths, a folder, the name of a table, a data frame of pandas or polars, an
-    Arrow table, a relation of DuckDB, a table of Ibis.
+    Arrow table, a relation of DuckDB, a table of Ibis, or a single signal
+    (:func:`gam_db.engines.frames.signal_table`).
 
     Raises:
         SourceError: it cannot be read, or a column cannot be guessed.
     """
     if isinstance(given, (Source, WideSource)):
-        return given
+        return Guess(given, {}, ())
     said = SourceSettings()
     if isinstance(given, (list, tuple)) and is_file(several := [as_folder(one) for one in given]):
         given = several
     given = folder_or_table(given, session)
     if isinstance(given, (str, Path, list, tuple)):
-        return guess(given, session.describe(session.relation(given)), said, session).source
+        return guess(given, session.describe(session.relation(given)), said, session)
+    if (signal := signal_table(given)) is not None:
+        time, value = signal.column_names
+        return Guess(Source(signal, asset=None, channel=None, time=time, value=value), {}, ())
     table = arrow_table(given)
     with session.lent(table) as relation:
-        return guess(table, session.describe(relation), said, session).source
+        return guess(table, session.describe(relation), said, session)
 
 
 class _Guesser:
@@ -245,9 +257,10 @@ class _Guesser:
             f"say --{role} COLUMN" + (f", or {_NONE[role]}" if role in _NONE else "") for role in roles
         )
         shown = [f"{name} ({type_name})" for name, type_name in self.columns.items()]
-        if len(shown) > 30:
-            shown[30:] = ["..."]
-        return SourceError(f"{what}; {options}. The columns are: {', '.join(shown)}.")
+        room = _LONGEST - len(what) - len(options)
+        named = next((n for n in range(len(shown), 0, -1) if len(", ".join(shown[:n])) <= room), 1)
+        more = ", ..." if named < len(shown) else ""
+        return SourceError(f"{what}; {options}; the columns are: {', '.join(shown[:named])}{more}.")
 
 
 def _plain(name: str) -> str:

@@ -18,6 +18,9 @@ from gam_db.settings.source import AnySource, Source, WideSource, check_zone, de
 
 NO_ROW = "The source has no row (after where, if there is one)."
 
+#: Columns that an error names.
+_NAMED = 6
+
 
 def resolved(source: AnySource, columns: dict[str, str], session: Session) -> AnySource:
     """Return the source with its channels named; check its columns against those of the relation.
@@ -35,13 +38,11 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
         source = dataclasses.replace(source, channels=found)
     for role, column in source.columns.items():
         if column not in columns:
-            hint = (
-                f" If there is only one {role}, say {role}=None." if role in ("asset", "channel") else ""
-            )
+            said = f"The relation has no column {column!r} for {role}"
+            said += f" ({role}=None if there is only one)" if role in ("asset", "channel") else ""
             if isinstance(source, Source) and source.columns == Source("").columns:
-                hint += " Name the columns, or give the relation itself, whose columns are guessed."
-            hint = nearest(column, columns) + hint
-            raise SourceError(f"The relation has no column {column!r} for {role}{hint}")
+                said += "; name the columns, or give the relation itself, whose columns are guessed"
+            raise SourceError(f"{said}{nearest(column, columns, _NAMED)}")
         _check_type(role, column, columns[column], session, source.time_unit)
     return source
 

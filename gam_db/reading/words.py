@@ -122,7 +122,7 @@ def check_numbers(source: AnySource, name: str, type_name: str, found: list[Row]
     if source.reads_words and not found:
         return
     role = "value" if name == getattr(source, "value", None) else "channel"
-    said = f"The {role} column {name!r} is of type {type_name}; readings must be numbers. "
+    said = f"The {role} column {name!r} is of type {type_name}; readings must be numbers: "
     if not found:
         raise wrong("texts_are_numbers", said=said)
     check_header(source, name, found)
@@ -131,9 +131,7 @@ def check_numbers(source: AnySource, name: str, type_name: str, found: list[Row]
         shown = ", ".join(map(shortened, words[:5])) + ", ..." * (len(words) > 5)
         raise wrong("texts_are_words", said=said, shown=shown)
     proposed = options_for_numbers(words)
-    raise SourceError(
-        f"{said}{first_of(found)}; {proposed} would read them. Cast it in a view otherwise."
-    )
+    raise SourceError(f"{said}{first_of(found)}; {proposed} would read them, or cast it in a view.")
 
 
 def no_times(source: AnySource, found: list[Row], ways: Sequence[str]) -> UserError:

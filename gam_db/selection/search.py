@@ -5,6 +5,7 @@ This module owns the options of a selection and their ranges. It knows no SQL an
 
 from dataclasses import dataclass
 
+from gam_db.arguments import public
 from gam_db.errors import ParameterError
 from gam_db.settings.setting import COUNT, check, declared, one_of, setting
 
@@ -17,6 +18,7 @@ MOST_REFERENCES = 2**14
 """Beyond this a sum of Cao's ratios would not fit in 64 bits."""
 
 
+@public
 @declared
 @dataclass(frozen=True)
 class Search:

@@ -13,6 +13,7 @@ from typing import Any
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.arguments import check_names, public
 from gam_db.composing import template
 from gam_db.engines.connecting import borrowed
 from gam_db.errors import StatementError
@@ -23,6 +24,7 @@ from gam_db.selection.neighbours import MOST_VECTORS, add_dimensions, add_embedd
 from gam_db.selection.search import Search
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
+from gam_db.settings.setting import settings_of
 from gam_db.settings.source import AnySource, WideSource, under
 from gam_db.study import Study
 
@@ -30,6 +32,9 @@ Studied = Callable[[AnySource], Study]
 """Makes a study of a source, in a session that is open."""
 Studies = Callable[[], AbstractContextManager[Studied]]
 """Opens a session to make studies in, as often as it is asked: an error inside an engine can end one."""
+
+#: What a selection takes beside the fields of a search.
+_ARGUMENTS = ("source", "parameters", "calibration", "engine")
 
 FAILURES = pa.schema([("asset", pa.string()), ("channel", pa.string()), ("reason", pa.string())])
 
@@ -44,9 +49,10 @@ class Selection:
             ami_minimum, acf_1e, acf_zero of each rule; m_fnn with fnn_status (fnn, noise_floor,
             none), m_cao with cao_status (saturated, no_saturation, stochastic, none); cycle_length
             in samples with window_status (enough, short, no_cycle) and recommended_window in
-            vectors; together for this calibration recommended_m and recommended_bins, with the
-            certificate's verdict and floor at the bins asked for, recommended_floor at the
-            recommended ones, and vectors_needed for those asked for.
+            vectors, of which calibration has at least eight (NULL where it is too short for any);
+            together for this calibration recommended_m and recommended_bins, with the certificate's
+            verdict and floor at the bins asked for, recommended_floor at the recommended ones, and
+            vectors_needed for those asked for.
         lags: one row per delay from 0: n_pairs, occupied (pairs of bins), ami and ami_corrected in
             nats, acf, informative (1 if the information is more than chance). Beyond 2^17 samples
             about so many, spread evenly, are paired with those a delay later, here and in cycles.
@@ -102,6 +108,7 @@ def selected(study: Study, search: Search) -> Selection:
     )
 
 
+@public
 def select(
     source: Any,
     parameters: Parameters | None = None,
@@ -130,8 +137,9 @@ def select(
 
     Raises:
         UserError: see its subclasses; the message says what to mend.
-        TypeError: an option that :class:`gam_db.selection.search.Search` does not have.
+        ArgumentError: an option that :class:`gam_db.selection.search.Search` does not have.
     """
+    check_names("select", search, [*_ARGUMENTS, *settings_of(Search)])
     options = Search(**search)
     method = alone(parameters or Parameters(), calibration or Calibration())
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from gam_db.arguments import public
 from gam_db.clock import FAR_AHEAD, LONG_AGO, Instant, Length, TimeKind, instant, length
 from gam_db.errors import CalibrationError, ParameterError, wrong
 from gam_db.settings.setting import INSTANT, LENGTH, SHARE, Kind, Setting, check, declared, setting
@@ -59,6 +60,7 @@ INTERVALS = Kind(_pairs, list[str], _read_pairs, "FROM/TO")
 POOL = Kind(_groups, list[str], _read_groups, "GROUP")
 
 
+@public
 @declared
 @dataclass(frozen=True)
 class Calibration:
@@ -144,7 +146,7 @@ def resolve(calibration: Calibration, kind: TimeKind) -> list[Rule]:
             ),
         ]
     except ParameterError as error:
-        raise CalibrationError(str(error)) from error
+        raise CalibrationError(error.options) from error
 
 
 def _resolve_one(calibration: Calibration, kind: TimeKind) -> Rule:

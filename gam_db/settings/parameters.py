@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, ClassVar, TypeAlias
 
+from gam_db.arguments import public
 from gam_db.clock import Length, TimeKind, length, looks_like_calendar
 from gam_db.errors import ConfigurationError, ParameterError, nearest, wrong
 from gam_db.settings.setting import (
@@ -117,6 +118,7 @@ def _positive(of: Setting, name: str, gap: Any) -> Any:
     return gap
 
 
+@public
 @declared
 @dataclass(frozen=True)
 class Parameters:
@@ -230,7 +232,7 @@ class Parameters:
             return dataclasses.replace(self, overrides=(), **changes)
         except ParameterError as error:
             raise ParameterError(
-                f"In the override for {override.asset!r} / {override.channel!r}: {error}"
+                f"In the override for {override.asset!r} / {override.channel!r}: {error.options}"
             ) from error
 
     def of(self, asset: str, channel: str) -> "Parameters":

@@ -129,7 +129,7 @@ def check(of: Any, refusal: type[UserError] = ParameterError) -> None:
         for name, one in settings_of(of.__class__).items():
             object.__setattr__(of, name, one.checked(name, getattr(of, name)))
     except ParameterError as error:
-        raise refusal(str(error)) from error
+        raise refusal(error.options) from error
 
 
 def number(text: str) -> int | float | str:

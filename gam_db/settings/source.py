@@ -12,6 +12,7 @@ import sqlglot
 from sqlglot import exp
 from sqlglot.errors import SqlglotError
 
+from gam_db.arguments import public
 from gam_db.clock import Length, TimeKind
 from gam_db.composing import template
 from gam_db.errors import SourceError, wrong
@@ -26,6 +27,7 @@ _SPREADSHEETS = (".xlsx", ".xls", ".xlsm", ".xlsb", ".ods", ".numbers")
 TimeNode = Callable[[exp.Expr], exp.Expr]
 
 
+@public
 @dataclass(frozen=True)
 class Source(Form):
     """A long table: one row per reading.
@@ -33,8 +35,9 @@ class Source(Form):
     Attributes:
         relation: name of a table or view (dots separate catalogue, schema and table; a tuple of parts
             is taken as it is), path of a Parquet or CSV file (wildcards allowed) or a list of such, a
-            folder (its path ends in a slash), or an Arrow table (anything with
-            ``__arrow_c_stream__``, such as a data frame).
+            folder (its path ends in a slash), an Arrow table (anything with
+            ``__arrow_c_stream__``, such as a data frame), or a 1-D array or series, which has the
+            columns ``time`` and ``value`` (called like the series, where that has a name).
         asset, channel: columns that name the machine and the signal; None if there is one only: its
             asset is called ``asset`` and its channel like the value column.
         time: column with a timestamp (without zone: UTC), its text, or an integer counter.
@@ -77,6 +80,7 @@ class Source(Form):
         return (self.value,)
 
 
+@public
 @dataclass(frozen=True)
 class WideSource(Form):
     """A wide table: one column per channel; a NULL cell is a missing sample, not an absent row.

@@ -14,6 +14,7 @@ import pyarrow as pa
 from sqlglot import exp
 
 from gam_db.alarms import Alarms
+from gam_db.arguments import public_methods
 from gam_db.checking import look_at
 from gam_db.clock import Instant, Length, TimeKind, instant, zone
 from gam_db.columns import table_of
@@ -44,6 +45,7 @@ from gam_db.study.automatic import Siblings
 from gam_db.study.running import Listener, unheard
 
 
+@public_methods
 @dataclass(eq=False, repr=False)
 class Monitor(MonitorSettings):
     """The stored form of one source: calibrated once, scored again and again (state.md).

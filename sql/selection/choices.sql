@@ -1,7 +1,8 @@
 -- Choices: what to take for each channel, and by which rule (method, section 8).
 -- Reads:  channels, bounds, delays, cycles, unfoldings, joint
 -- A row:  one channel, in order. A window shorter than five cycles is short: recommended_window is then
---         five cycles in whole hundreds.
+--         five cycles in whole hundreds. It is at most the longest of which calibration has eight, and
+--         NULL where that has fewer than 10 vectors: calibration is too short for any.
 -- Slots:  :bins, :window  B and W as they were asked for
 SELECT
   named.asset AS asset,
@@ -28,13 +29,13 @@ SELECT
   END AS window_status,
   CAST(
     CASE
+      WHEN chosen.hit = 1 AND chosen.longest < 10 AND chosen.longest < CAST(:window AS BIGINT) THEN NULL
       WHEN turning.hit = 1 AND 5 * turning.cycle_length > CAST(:window AS BIGINT)
-        THEN 100 * CAST(
-          FLOOR(
-            (CAST(5 * turning.cycle_length + 99 AS DOUBLE) + CAST(5e-1 AS DOUBLE))
-            / CAST(100 AS DOUBLE)
-          ) AS BIGINT
-        )
+        THEN CASE
+          WHEN chosen.hit = 1 AND turning.five_cycles > chosen.longest THEN chosen.longest
+          ELSE turning.five_cycles
+        END
+      WHEN chosen.hit = 1 AND chosen.longest < CAST(:window AS BIGINT) THEN chosen.longest
       ELSE CAST(:window AS BIGINT)
     END AS BIGINT
   ) AS recommended_window,
@@ -70,7 +71,15 @@ LEFT JOIN (
   FROM delays
 ) AS given ON given.channel_id = named.channel_id
 LEFT JOIN (
-  SELECT channel_id, cycle_length, 1 AS hit
+  SELECT
+    channel_id,
+    cycle_length,
+    100 * CAST(
+      FLOOR(
+        (CAST(5 * cycle_length + 99 AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(100 AS DOUBLE)
+      ) AS BIGINT
+    ) AS five_cycles,
+    1 AS hit
   FROM cycles
 ) AS turning ON turning.channel_id = named.channel_id
 LEFT JOIN (
@@ -78,7 +87,18 @@ LEFT JOIN (
   FROM unfoldings
 ) AS unfolds ON unfolds.channel_id = named.channel_id
 LEFT JOIN (
-  SELECT channel_id, m, verdict, finest_bins, finest_floor, floor, vectors_needed, 1 AS hit
+  SELECT
+    channel_id,
+    m,
+    CAST(
+      FLOOR((CAST(vectors AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(8 AS DOUBLE)) AS BIGINT
+    ) AS longest,
+    verdict,
+    finest_bins,
+    finest_floor,
+    floor,
+    vectors_needed,
+    1 AS hit
   FROM joint
 ) AS chosen ON chosen.channel_id = named.channel_id
 ORDER BY named.asset, named.channel

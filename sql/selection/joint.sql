@@ -4,12 +4,22 @@
 -- Reads:  budget, unfoldings
 -- A row:  one channel that has vectors.
 -- Slots:  :m  the dimension wanted where no rule finds one
-SELECT channel_id, wanted_m, m, verdict, finest_bins, finest_floor, floor, vectors_needed
+SELECT
+  channel_id,
+  wanted_m,
+  m,
+  vectors,
+  verdict,
+  finest_bins,
+  finest_floor,
+  floor,
+  vectors_needed
 FROM (
   SELECT
     channel_id,
     wanted_m,
     m,
+    vectors,
     verdict,
     finest_bins,
     finest_floor,
@@ -29,6 +39,7 @@ FROM (
       affordable.channel_id AS channel_id,
       wish.wanted_m AS wanted_m,
       affordable.m AS m,
+      affordable.vectors AS vectors,
       affordable.verdict AS verdict,
       affordable.finest_bins AS finest_bins,
       affordable.finest_floor AS finest_floor,

@@ -58,7 +58,7 @@ def test_a_missing_file_is_named() -> None:
     for name in ("none.parquet", "none.csv", "no/such/folder/none.parquet", "none*.parquet"):
         refused("none.* cannot be read; is it there", lambda name=name: support(Source(name)))  # type: ignore[misc]
     refused("none.txt cannot be read", lambda: support(Source(Path("none.txt"))))
-    refused("must end in .parquet, .csv or .tsv", lambda: support(Source("none.json")))
+    refused("files end in .parquet, .csv or .tsv", lambda: support(Source("none.json")))
 
 
 @pytest.mark.parametrize("ending", ["xlsx", "XLS", "xlsm", "ods"])
@@ -96,7 +96,7 @@ MANY = "asset,channel,time,value\n" + "".join(f"a,x,{i},{i % 7}.5\n" for i in ra
     [
         (
             "a,x,25000,broken\n",
-            "Line 25002 of the CSV file .*late.csv holds 'broken' in the column 'value'.*--null broken",
+            "Line 25002 of the CSV file .*late.csv holds 'broken' in the column 'value'.*null='broken'",
         ),
         (
             "a,x,25000,1,8675309.25,3\n",
@@ -104,7 +104,7 @@ MANY = "asset,channel,time,value\n" + "".join(f"a,x,{i},{i % 7}.5\n" for i in ra
         ),
         (
             "\udcff\udcfe,x,25000,8675309.25\n",
-            "late.csv is not in UTF-8; say which .* --encoding cp1252",
+            "late.csv is not in UTF-8; say which .* encoding='cp1252'",
         ),
     ],
 )
@@ -132,6 +132,6 @@ def test_text_in_a_csv(files: Path) -> None:
     lines = "".join(f"a,x,{i},{'n/a' if i % 2 else 8675309.25}\n" for i in range(9))
     (files / "text.csv").write_text("asset,channel,time,value\n" + lines)
     refused(
-        "value column 'value' is of type VARCHAR.* 4 of 9 .*'n/a', 4 times; --null n/a would",
+        "value column 'value' is of type VARCHAR.* 4 of 9 .*'n/a', 4 times; null='n/a' would",
         lambda: support(Source(files / "text.csv")),
     )

@@ -256,18 +256,26 @@ def test_calibration_that_holds_nothing() -> None:
 
 
 def test_a_window_shorter_than_the_cycle() -> None:
-    found = said(table(wave(4000, 100)), Parameters(window=400))
-    assert "5 cycles of about 100 samples; take --window 500" in found["short_window"].text
-    assert "short_window" not in said(table(wave(4000, 100)), Parameters(window=500))
+    found = said(table(wave(4000, 40)), Parameters(window=150))
+    assert "5 cycles of about 40 samples; take --window 200" in found["short_window"].text
+    assert "short_window" not in said(table(wave(4000, 40)), Parameters(window=200))
+
+
+def test_cycles_that_calibration_does_not_hold_eight_windows_of() -> None:
+    found = said(table(wave(4000, 100)), Parameters(window=240))
+    assert "short_window" not in found
+    text = found["few_cycles"].text
+    assert "about 100 samples, and 500 samples are more than an eighth of calibration" in text
 
 
 def test_the_proposed_window() -> None:
-    def proposed(values: Any, parameters: Parameters) -> int:
+    def proposed(values: Any, parameters: Parameters) -> int | None:
         with DuckSession() as session:
             return propose(look_at(session, Source(table(values)), parameters, Calibration())).window
 
-    assert proposed(wave(4000, 50), Parameters()) == 300  # five cycles, and more than an eighth of 800
-    assert proposed(np.random.default_rng(0).standard_normal(4000), Parameters()) == 100
+    assert proposed(wave(4000, 50), Parameters()) == 99  # five cycles are more than an eighth of 798
+    assert proposed(wave(16000, 50), Parameters(window=200)) == 300  # five cycles
+    assert proposed(np.random.default_rng(0).standard_normal(4000), Parameters()) == 99
     assert proposed(np.random.default_rng(0).standard_normal(4000), Parameters(window=77)) == 77
     assert proposed(np.zeros(4000), Parameters()) == 5000
 

@@ -80,16 +80,16 @@ def test_what_check_prints() -> None:
     assert "! j1: too few samples for a window beside calibration (4,000 in all, 800 of" in said
     assert "- j1: 1 pause of 91 s (usual step 1 s)" in said
     assert "1 point marked ! must be fixed" in said
-    assert 'to be set: max_gap = "5 s"; window = 100 (an eighth of the calibration' in said
+    assert 'to be set: max_gap = "5 s"; window = 99 (an eighth of the calibration' in said
 
 
 def test_check_with_what_is_proposed_is_content() -> None:
-    result = gam("check", saved(), "--window", "100", "--max-gap", "5 s")
+    result = gam("check", saved(), "--window", "99", "--max-gap", "5 s")
     assert result.exit_code == 0, result.output
     assert "nothing must be fixed" in result.stdout
     assert "to be set" not in result.stdout
     assert "max_gap sees to it" in flat(result)
-    assert gam("check", "plant.parquet", "--window", "100", "--quiet").stdout == ""
+    assert gam("check", "plant.parquet", "--window", "99", "--quiet").stdout == ""
 
 
 def test_check_counts_rows_that_run_refuses() -> None:
@@ -104,7 +104,7 @@ def test_check_counts_rows_that_run_refuses() -> None:
 
 
 def test_check_as_json() -> None:
-    result = gam("check", saved(), "--json", "--window", "100")
+    result = gam("check", saved(), "--json", "--window", "100", "--calibration-fraction", "0.25")
     said = json.loads(result.stdout)
     assert result.exit_code == said["exit_code"] == 0
     (channel,) = said["channels"]
@@ -117,6 +117,7 @@ def test_check_as_json() -> None:
         "max_gap": "5 s",
         "max_gap_by_channel": {},
         "window": 100,
+        "window_by_channel": {},
         "still_after": None,
         "still_after_by_channel": {},
     }
@@ -182,12 +183,13 @@ def test_what_init_writes_is_what_run_takes() -> None:
     columns = ("asset", "channel", "ts", "value")
     assert settings.source == SourceSettings("plant.parquet", None, *columns)
     assert settings.parameters["max_gap"] == "5 s"
-    assert settings.parameters["window"] == 100
+    assert settings.parameters["window"] == 99
     assert settings.calibration == {"fraction": 0.2}
     ran = gam("run", "--no-out", "--json")
     assert ran.exit_code in (0, 2), ran.output
     (channel,) = json.loads(ran.stdout)["channels"]
-    assert (channel["window"], channel["samples"]) == (100, 4000)
+    assert (channel["window"], channel["samples"]) == (99, 4000)
+    assert channel["blocks"] == 8
     assert gam("check").exit_code == 0
 
 
@@ -369,4 +371,50 @@ def test_the_bearings_and_the_actuators(recordings: Path) -> None:
         assert row["pauses"] == row["samples"] / 3000 - 1
         if name == "Temp_1":
             assert row["cycle_length"] == pytest.approx(3000, rel=0.02)
-    assert "short_window" in said["notes"]
+    assert "few_cycles" in said["notes"]
+
+
+def series(**lengths: int) -> str:
+    """Write channels of so many samples without a cycle, and return the file."""
+    noise = np.random.default_rng(0).random(2000).tolist()
+    rows = [
+        {"asset": "R1", "channel": name, "time": time, "value": noise[time]}
+        for name, count in lengths.items()
+        for time in range(count)
+    ]
+    parquet.write_table(pa.Table.from_pylist(rows), "lengths.parquet")
+    return "lengths.parquet"
+
+
+WHOLE_OF_IT = ("--m", "2", "--tau", "1", "--bins", "4", "--calibration-fraction", "0.5")
+
+
+@pytest.mark.parametrize(("samples", "window"), [(162, 10), (160, None), (1618, 40), (60, None)])
+def test_init_leaves_eight_blocks_or_says_that_calibration_is_too_short(
+    samples: int, window: int | None
+) -> None:
+    """81 samples of calibration are 80 vectors, 8 windows of 10; one less is too short for any."""
+    done = gam("init", series(x=samples), *WHOLE_OF_IT)
+    written = config.load().parameters
+    if window is None:
+        assert written["window"] == "auto"
+        words = "calibration is too short for any: 8 windows of 10 vectors take 81 samples, and it has"
+        assert f"no window: {words} {samples // 2}; calibrate longer" in flat(done)
+        assert words in " ".join(Path("gam.toml").read_text().replace("#", " ").split())
+    else:
+        assert written["window"] == window
+        assert "no window" not in done.stdout
+        assert samples // 2 - 1 >= 8 * window
+    (channel,) = json.loads(gam("run", "--no-out", "--json").stdout)["channels"]
+    assert channel["calibration_vectors"] == samples // 2 - 1
+    assert window in (None, channel["window"])
+
+
+def test_init_gives_a_shorter_channel_a_window_of_its_own() -> None:
+    done = gam("init", series(a=2000, b=2000, c=300, d=40, e=2000), *WHOLE_OF_IT)
+    assert done.exit_code in (0, 2), done.output
+    parameters = config.load().method()[0]
+    windows = {name: parameters.of("R1", name).window for name in "abcde"}
+    assert windows == {"a": 50, "b": 50, "c": 18, "d": 50, "e": 50}, "149 vectors: 8 windows of 18"
+    said = " ".join(Path("gam.toml").read_text().replace("#", " ").split())
+    assert "calibration of 1 channel is too short for any window" in said

@@ -75,9 +75,9 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "german, nothing said": (
         lambda: lines("de.csv", "Zeit;Wert", row=german),
         ("de.csv",),
-        "gam: The value column 'Wert' is of type VARCHAR; readings must be numbers. 300 of 300 words do "
-        "not fit, the first is '1.000,5', 43 times; --thousands . --decimal , would read them. Cast it "
-        "in a view otherwise.",
+        "gam: The value column 'Wert' is of type VARCHAR; readings must be numbers: 300 of 300 words do "
+        "not fit, the first is '1.000,5', 43 times; --thousands . --decimal , would read them, or "
+        "cast it in a view.",
     ),
     "german, numbers said": (
         lambda: lines("de.csv", "Zeit;Wert", row=german),
@@ -109,8 +109,8 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "a word too many": (
         lambda: lines("u.csv", "t,x", row=lambda n: f"{n},{'Bad' if n == 250 else n % 7}"),
         ("u.csv", "--value", "x"),
-        "gam: The value column 'x' is of type VARCHAR; readings must be numbers. 1 of 300 words do not "
-        "fit, the first is 'Bad'; --null Bad would read them. Cast it in a view otherwise.",
+        "gam: The value column 'x' is of type VARCHAR; readings must be numbers: 1 of 300 words do not "
+        "fit, the first is 'Bad'; --null Bad would read them, or cast it in a view.",
     ),
     "booleans": (
         lambda: lines("b.csv", "t,valve", row=lambda n: f"{n},{'true' if n % 7 else 'false'}"),

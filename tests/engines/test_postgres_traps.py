@@ -229,7 +229,7 @@ def test_no_schema_on_the_path(connection: Any) -> None:
     connection.execute("SET search_path = nowhere")
     with gam_db.Monitor(connection, gam_db.Source(("second", "telemetry"))) as monitor:
         assert monitor.check().num_rows == 4
-        with pytest.raises(EngineError, match="names no schema that is there; give --schema"):
+        with pytest.raises(EngineError, match="names no schema that is there; give schema"):
             monitor.migrate()
 
 

@@ -1,11 +1,15 @@
 """Figures of Plotly: their figures are the views', and those of what ``gam run`` wrote."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import duckdb
+import numpy as np
+import pyarrow as pa
 import pytest
 from typer.testing import CliRunner
 
+import gam_db
 from gam_db import plot
 from gam_db.cli import app
 from gam_db.errors import UserError
@@ -58,3 +62,48 @@ def test_files_of_gam_run_are_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 def test_a_file_that_is_none_is_named(tmp_path: Path) -> None:
     with pytest.raises(UserError, match=r"nothing\.parquet is not there, or no result"):
         plot.fleet(tmp_path / "nothing.parquet")
+
+
+def table_of(**columns: list[object]) -> pa.Table:
+    return pa.table({"asset": ["A", "A", "B"], "channel": ["x", "x", "y"], **columns})
+
+
+def test_what_health_indicator_returns_is_drawn() -> None:
+    """A signal goes above its limit in the last quarter, as it is counted in the table itself."""
+    values = np.sin(np.arange(2000) / 7)
+    values[1500:] += 1
+    method = gam_db.Parameters(m=2, tau=1, bins=8, window=50), gam_db.Calibration(intervals=[(0, 799)])
+    health, support = (call(values, *method) for call in (gam_db.health_indicator, gam_db.support))
+    alone, drawn = plot.signal(health), plot.signal(health, channel="value", support=support)
+    for figure in (alone, drawn):
+        assert list(figure.data[0].x) == health["time"].to_pylist() == list(range(800, 2000))
+        assert list(figure.data[0].y) == health["hi"].to_pylist()
+        assert figure.layout.title.text == "asset · value"
+    (limit,) = support["hi_limit"].to_pylist()
+    assert not alone.layout.shapes
+    assert drawn.layout.shapes[0].y0 == limit
+    (heat,) = plot.fleet(health, support).data
+    above = [row["time"] for row in health.to_pylist() if row["hi"] is not None and row["hi"] > limit]
+    first = next(tick for tick, count in zip(heat.x, heat.z[0], strict=True) if count)
+    assert first <= above[0] < first + heat.x[1] - heat.x[0]
+    buckets = plot.signal(gam_db.health_at_buckets(values, *method), "asset", "value")
+    assert list(buckets.data[0].x)[-1] == 1999
+
+
+def test_a_table_that_cannot_be_drawn_is_said() -> None:
+    health = table_of(time=[1, 2, 1], hi=[None, 0.5, 0.1])
+    assert list(plot.signal(health, "B").data[0].y) == [0.1]
+    cases: list[tuple[Callable[[], object], str]] = [
+        (lambda: plot.signal(health), r"2 signals could be meant, such as A / x, B / y; say which"),
+        (lambda: plot.signal(health, "A", "z"), r"no signal 'A / z'; did you mean 'A / x'\?"),
+        (
+            lambda: plot.signal(health.drop_columns("hi")),
+            "has no column 'hi'; give what health_indicator",
+        ),
+        (lambda: plot.fleet(health), r"has no limits; give support=gam_db\.support"),
+        (lambda: plot.fleet("x.parquet", health), "support goes with a table"),
+        (lambda: plot.fleet([1]), "results is a list; give a monitor, what health_indicator returns"),
+    ]
+    for call, message in cases:
+        with pytest.raises(UserError, match=message):
+            call()

@@ -1,5 +1,6 @@
 """The method as an outlier detector of scikit-learn: its own checks, and the numbers of the method."""
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,7 @@ UNFIT = ("check_outliers_fit_predict", "check_outliers_train")
 
 
 @pytest.mark.full
+@pytest.mark.filterwarnings("ignore::gam_db.CalibrationWarning")  # few rows of noise are fitted
 @parametrize_with_checks(
     [NoveltyDetector(m=1, window=1)],
     expected_failed_checks=lambda _: dict.fromkeys(UNFIT, "what is fitted is healthy"),
@@ -73,3 +75,56 @@ def test_the_numbers_are_those_of_the_method() -> None:
 def test_a_parameter_out_of_range_is_refused() -> None:
     with pytest.raises(ParameterError, match="bins is 'many'"):
         NoveltyDetector(bins="many").fit(recording(50))
+
+
+NOISE = np.random.default_rng(0).normal(size=(300, 5))
+
+
+@pytest.mark.parametrize(
+    ("rows", "settings", "message"),
+    [
+        (
+            NOISE,
+            {"bins": 64},
+            r"^x0, x1, x2 and 2 more: calibration is too_fine, .* fit more healthy rows",
+        ),
+        (np.ones((300, 1)), {}, r"^x0: calibration is constant, not ready: it did not move, .* leave"),
+        (np.full((60, 1), np.nan), {}, r"^x0: calibration is no_data, not ready: .* without missing"),
+        (
+            NOISE[:12, :1],
+            {"bins": 8, "window": 2},
+            r"^x0: calibration is needs_data, .* fit more healthy",
+        ),
+        (
+            recording(3000)[:, :1] * np.where(np.arange(3000) % 100, 1, 1e6)[:, None],  # a wide range
+            {"bins": 8},
+            r"^x0: calibration is blind, not ready: no shift of up to half",
+        ),
+    ],
+    ids=["too_fine", "constant", "no_data", "needs_data", "blind"],
+)
+def test_a_calibration_that_is_not_ready_is_warned_of(
+    rows: np.ndarray[Any, Any], settings: dict[str, Any], message: str
+) -> None:
+    """And where no limit judges, no row is an outlier."""
+    with pytest.warns(gam_db.CalibrationWarning, match=message) as warned:
+        detector = NoveltyDetector(m=2, **settings).fit(rows)
+    assert [warning.filename for warning in warned] == [__file__]
+    if "blind" not in message:
+        assert (detector.predict(rows[::-1] * 3) == 1).all()
+
+
+def test_a_warning_is_once_for_each_verdict_and_names_features() -> None:
+    pandas = pytest.importorskip("pandas", reason="it comes with the extra engines")
+    still = pandas.DataFrame(
+        {"speed": recording(3000)[:, 0], "door": np.ones(3000), "lid": np.ones(3000)}
+    )
+    with pytest.warns(gam_db.CalibrationWarning, match=r"^door, lid: calibration is constant") as warned:
+        NoveltyDetector().fit(still)
+    assert len(warned) == 1
+
+
+def test_nothing_is_warned_of_a_calibration_that_is_ready() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        NoveltyDetector(m=2, tau=3).fit(recording(6000))

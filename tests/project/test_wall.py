@@ -23,7 +23,7 @@ PACKAGE = Path(gam_db.__file__).parent
 LAYERS = [
     ["columns", "data", "plot", "sklearn", "version"],
     ["errors"],
-    ["address", "clock", "extras", "langevin", "composing.template"],
+    ["address", "arguments", "clock", "extras", "langevin", "composing.template"],
     ["composing.folding", "composing.layout", "composing.selects"],
     ["composing.joining"],
     ["composing.tidy"],
@@ -178,7 +178,7 @@ def test_a_public_module_of_the_laboratory_is_imported_when_it_is_used(name: str
 def test_every_public_name_is_there() -> None:
     for name in gam_db.__all__:
         assert getattr(gam_db, name) is not None
-        assert name in dir(gam_db)
+    assert dir(gam_db) == sorted(gam_db.__all__), "and no others"
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
         _ = gam_db.nothing  # type: ignore[attr-defined]
 

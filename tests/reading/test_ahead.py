@@ -131,7 +131,7 @@ def test_a_source_of_the_future_is_refused_with_the_reason() -> None:
             session, [("a", "x", NOW + 2 * HOUR - minute * MINUTE, 1.0) for minute in range(90)]
         )
         with pytest.raises(
-            SourceError, match=r"All rows are later than now: 90 .* 2 h ahead .*--source-time-zone"
+            SourceError, match=r"All rows are later than now: 90 .* 2 h ahead .*source_time_zone"
         ):
             gam_db.support(gam_db.Source(table.name), engine=session)
 

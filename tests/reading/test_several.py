@@ -128,7 +128,7 @@ def test_types_that_csv_files_seem_to_have_change_nothing(tmp_path: Path) -> Non
             *((time, None) for time, _ in expected(3)[-10:]),
         ]
         (folder / "d.csv").write_text(lines(day(4), ["Bad"] * 10))
-        with pytest.raises(SourceError, match=r"the first is '.*', .*--null Bad"):
+        with pytest.raises(SourceError, match=r"the first is '.*', .*null='Bad'"):
             rows(folder)
 
 

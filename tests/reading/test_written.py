@@ -3,6 +3,7 @@
 import datetime as dt
 import math
 import random
+import re
 import sqlite3
 from collections.abc import Callable
 from decimal import Decimal
@@ -112,7 +113,7 @@ def one(words: list[Any], times: list[Any] | None = None, **said: Any) -> Source
         (one(["1 234,5"]), "--thousands ' ' --decimal , would"),
         (one(["1.2 A", "1.3 A"]), "--unit A would"),
         (one(["1.5", "N/A", "Bad"]), "2 of 3 .*'N/A'; --null N/A --null Bad would"),
-        (one(["1.5", "2.5"]), "All its words are: --decimal . reads them"),
+        (one(["1.5", "2.5"]), "all its words are, so --decimal . reads them"),
         (
             one(["open", "shut", "open"]),
             "words only, 'open', 'shut': .* give a view with a number for each",
@@ -141,8 +142,10 @@ def one(words: list[Any], times: list[Any] | None = None, **said: Any) -> Source
     ],
 )
 def test_a_word_that_does_not_fit_is_named(source: Source, message: str) -> None:
-    with pytest.raises(SourceError, match=message):
+    with pytest.raises(SourceError) as caught:
         gam_db.support(source)
+    assert re.search(message, caught.value.options)
+    assert "--" not in str(caught.value)
 
 
 @pytest.mark.parametrize(
@@ -228,7 +231,7 @@ def late(path: Path, *lines: str) -> Path:
 def test_a_word_far_down_a_file_is_named(tmp_path: Path) -> None:
     path = late(tmp_path / "late.csv", "25001,N/A", "25002,N/A")
     with pytest.raises(
-        SourceError, match=r"Line 25002 .* 'N/A' in .* 'value', 2 times in all.*--null N/A"
+        SourceError, match=r"Line 25002 .* 'N/A' in .* 'value', 2 times in all.*null='N/A'"
     ):
         gam_db.support(Source(path, None, None))
     assert read(Source(path, None, None, null=["N/A"]))[-2:] == [(25001, None), (25002, None)]

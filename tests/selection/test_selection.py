@@ -275,6 +275,39 @@ def test_a_window_of_few_cycles_is_short() -> None:
     assert chosen["recommended_window"] == 200
 
 
+@pytest.mark.parametrize(
+    ("rows", "cycle", "asked", "window"),
+    [
+        (1602, 41, 150, 200),  # five cycles are 205, in hundreds 300; 1,601 vectors hold 8 of 200
+        (1599, 41, 150, 199),
+        (3000, None, 374, 374),  # 2,998 vectors
+        (3000, None, 375, 374),
+        (82, None, 100, 10),
+        (80, None, 100, None),  # too short for any
+        (80, None, 9, 9),
+    ],
+)
+def test_a_window_leaves_eight_blocks(
+    rows: int, cycle: int | None, asked: int, window: int | None
+) -> None:
+    """Of vectors with tau 1 and m 3, or with m 2 one more."""
+    clock = np.arange(rows)
+    values = np.sin(clock * 2 * math.pi / cycle) if cycle else np.random.default_rng(3).random(rows)
+    found = gam_db.select(
+        table({"value": list(values)}),
+        gam_db.Parameters(window=asked),
+        WHOLE,
+        tau=1,
+        m_max=3,
+        references=20,
+    )
+    chosen = choice(found)
+    vectors = {row["m"]: row["vectors"] for row in found.budget.to_pylist()}[chosen["recommended_m"]]
+    assert vectors == rows - (chosen["recommended_m"] - 1)
+    assert chosen["recommended_window"] == window
+    assert window is None or vectors >= 8 * window
+
+
 def test_a_later_rule_can_be_asked_for() -> None:
     source = table({"value": list(np.sin(np.arange(800) / 20))})
     found = [

@@ -40,7 +40,8 @@ def test_a_report_says_what_to_take() -> None:
     lines = result.output
     assert "chosen from the first 100 % of each channel" in lines
     assert "first minimum of mutual information" in lines
-    assert "200 holds 3.3 cycles of 60 samples, which is short" in lines
+    said = "147: an eighth of calibration, so that it has 8 blocks; 300 take a longer calibration"
+    assert said in lines, "of 1,200 samples"
     taken = next(line for line in lines.splitlines() if line.strip().startswith("take"))
     assert [word for word in taken.split() if word.startswith("--")] == [
         "--m",
@@ -48,7 +49,7 @@ def test_a_report_says_what_to_take() -> None:
         "--bins",
         "--window",
     ]
-    assert "--window 300" in taken
+    assert "--window 147" in taken
     assert "constant: did not move in 1,200 samples" in lines
 
 
@@ -92,11 +93,12 @@ def test_what_is_written_says_what_was_chosen() -> None:
     assert "# kept" in text
     assert settings.calibration == {"fraction": 0.9}
     assert "# 1 channel. tau: first minimum of mutual information." in text
+    assert "window: an eighth of calibration at most" in " ".join(text.replace("#", " ").split())
     assert met(settings, "cycle") == {
         "m": cycle["recommended_m"],
         "tau": cycle["tau"],
         "bins": cycle["recommended_bins"],
-        "window": 300,
+        "window": 147,
     }
     assert met(settings, "still") == {"max_gap": 7}
     again = gam("select", "recording.parquet", "--window", "200", *QUICK, "--write", "gam.toml")

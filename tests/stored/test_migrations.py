@@ -246,7 +246,7 @@ def test_tables_of_others_under_our_names_are_left_alone(session: DuckSession, t
     """``gam run --out`` and the view form of ``gam compile`` may make a gam_health, too."""
     rows(session, taken)
     before = catalog(session)
-    with pytest.raises(StateError, match=r"no state table of gam-db; give another --prefix or --schema"):
+    with pytest.raises(StateError, match=r"no state table of gam-db; give another prefix or schema"):
         migrate(session, STATE)
     assert catalog(session) == before
     migrate(session, StateTables(prefix="other_"))

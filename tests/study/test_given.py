@@ -131,7 +131,7 @@ def test_a_table_of_a_database_may_be_given_by_its_name(
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        (5, "relation is a int; it takes"),
+        (5, "A int is no source; it takes"),
         ("nothing.parquet", "cannot be read; is it there"),
         (
             pa.table({"ts": [1], "a": ["x"], "b": ["y"], "v": [1.0]}),

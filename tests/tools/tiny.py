@@ -5,6 +5,7 @@ And what they leave unsaid of delay, bins and window is as in the paper: nothing
 
 import contextlib
 import dataclasses
+import inspect
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -31,4 +32,5 @@ def as_delivered() -> Iterator[None]:
 def _default(values: Mapping[str, Any]) -> None:
     for one in dataclasses.fields(Parameters):
         one.default = values.get(one.name, one.default)
-    Parameters.__init__.__defaults__ = tuple(one.default for one in dataclasses.fields(Parameters))
+    made: Any = inspect.unwrap(Parameters.__init__)  # what it was before its arguments were looked at
+    made.__defaults__ = tuple(one.default for one in dataclasses.fields(Parameters))

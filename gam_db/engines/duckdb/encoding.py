@@ -50,7 +50,7 @@ class Copies:
 
     def original(self, error: UserError) -> UserError:
         """Return an error that names the files themselves, not their copies."""
-        said = str(error)
+        said = error.options
         for (path, *_), copy in self._made.items():
             said = said.replace(copy, path)
         return type(error)(said)

@@ -203,8 +203,8 @@ class DuckSession(Session):
     def _unknown(self, shown: str, hint: str) -> str:
         where = " in memory" if self.driver.owned and not self.files() else ""
         return (
-            f"There is no table or view {shown!r} in the database{where}{hint} A file must end in "
-            ".parquet, .csv or .tsv."
+            f"There is no table or view {shown!r} in the database{where} (files end in .parquet, .csv "
+            f"or .tsv){hint}"
         )
 
 

@@ -15,9 +15,9 @@ from sqlglot import exp
 from gam_db import data
 from gam_db.address import shown
 from gam_db.engines.driver import DbapiDriver, by_table
+from gam_db.engines.frames import check_columns
 from gam_db.engines.mariadb import COLLATION, ENGINE
 from gam_db.engines.refusals import OPEN, refused
-from gam_db.engines.session import check_columns
 from gam_db.errors import EngineError, wrong
 from gam_db.extras import needed
 

@@ -4,7 +4,7 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from gam_db.engines.driver import is_text
-from gam_db.engines.session import check_columns
+from gam_db.engines.frames import check_columns
 from gam_db.errors import wrong
 
 #: the number of a type in PostgreSQL's catalogue -> what its values are in Arrow

@@ -10,6 +10,7 @@ from typing import Any, SupportsIndex, cast
 import numpy as np
 import pyarrow as pa
 
+from gam_db.arguments import public
 from gam_db.engines.connecting import borrowed
 from gam_db.errors import ParameterError, nearest, wrong
 from gam_db.extras import needed
@@ -42,6 +43,7 @@ SAMPLE = 10_000
 _FEWEST = 2
 
 
+@public
 def scores(
     source: AnySource,
     parameters: Parameters | None = None,
@@ -86,6 +88,7 @@ def scores(
         return study.table("score_health")
 
 
+@public
 def scores_at_buckets(
     source: AnySource,
     parameters: Parameters | None = None,

@@ -6,6 +6,7 @@ This module owns their names and ranges. It computes nothing.
 from dataclasses import dataclass
 from typing import Literal
 
+from gam_db.arguments import public
 from gam_db.errors import ParameterError, nearest
 
 Monotonicity = Literal["rank", "sign"]
@@ -17,6 +18,7 @@ AMPLITUDES = ("range", "ends")
 MOST_SAMPLES = 100_000
 
 
+@public
 @dataclass(frozen=True)
 class Conventions:
     """What is left open by the names of the metrics (method, section 9).

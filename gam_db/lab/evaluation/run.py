@@ -13,6 +13,7 @@ import numpy as np
 import pyarrow as pa
 from sqlglot import exp
 
+from gam_db.arguments import public
 from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError
@@ -76,6 +77,7 @@ class Evaluation:
     stride: int = 1
 
 
+@public
 def evaluate(
     health: Any,
     outcomes: Any = None,
