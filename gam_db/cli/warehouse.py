@@ -69,6 +69,7 @@ def compile(
     if settings.source.database is None and engine_named(engine).reads_files:
         placed = dataclasses.replace(settings.source, relation=as_folder(settings.source.relation))
         settings = dataclasses.replace(settings, source=placed)
+    settings.source.check_conditions(engine_named(engine))
     source = described(settings, engine_named(engine).guard is not None)
     prefix = "gam_live_" if prefix is None else prefix
     parts = None if not without else [part for part in without if part != "nothing"]
@@ -156,6 +157,7 @@ def dbt(
     elsewhere they are called asset, channel, time and value unless named. Calibration must be fixed:
     closed intervals, by --calibrate or in gam.toml. Files of an earlier export are replaced.
     """
+    settings.source.check_conditions(engine_named(engine))
     parameters, calibration = settings.method()
     kept = settings.monitor
     how = (engine, schema, kept.prefix, kept.lookback, kept.park_after)
