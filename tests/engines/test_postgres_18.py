@@ -1,0 +1,49 @@
+"""PostgreSQL 18, beside the age that the system has: the same tests, in a process of their own."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import postgres_server
+from gam_db.engines import EVIDENCE
+
+ROOT = Path(__file__).parents[2]
+
+
+def on_18(*words: str) -> subprocess.CompletedProcess[str]:
+    """Run Python on PostgreSQL 18."""
+    around = {**os.environ, postgres_server.AGE: "18", "PYTHONPATH": str(ROOT / "tests" / "tools")}
+    return subprocess.run([sys.executable, *words], cwd=ROOT, env=around, capture_output=True, text=True)
+
+
+def passes(*words: str) -> None:
+    """Run tests of PostgreSQL; what they say is shown where one fails, or where there are none."""
+    told = on_18(
+        "-m", "pytest", "-p", "no:xdist", "-q", "--engines", "postgres", *words, "-o", "addopts="
+    )
+    assert told.returncode == 0, told.stdout[-5000:]
+
+
+def test_it_is_the_version_of_the_table() -> None:
+    told = on_18("-c", "import postgres_server; print(postgres_server.version())")
+    assert told.stdout.startswith("18."), told.stderr
+    assert EVIDENCE["postgres"].also.split(".")[0] == "18"
+
+
+def test_a_history() -> None:
+    """Score, crash and replay by commands and by a script, on both ways to one state."""
+    passes("tests/export/test_run_sql.py", "-k", "a_history_leaves_what_gam_score_leaves")
+
+
+@pytest.mark.full
+@pytest.mark.parametrize(
+    "room", sorted(path.name for path in (ROOT / "tests").iterdir() if list(path.glob("test_*.py")))
+)
+def test_the_full_set(room: str) -> None:
+    if room in ("guard", "project", "spec", "settings", "composing"):
+        pytest.skip("left out: no test there opens a server")
+    others = [f"--deselect=tests/engines/{Path(__file__).name}"]
+    passes(f"tests/{room}", "-k", "postgres", *others)
