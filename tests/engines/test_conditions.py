@@ -119,6 +119,15 @@ def test_honest_conditions_give_the_rows_that_they_mean(engine: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_what_messages_propose_is_let(name: str) -> None:
+    engine = engine_named(name)
+    compared = engine.comparable.format(column='"at"')
+    dated = engine.dated.format(column='"at"')
+    for condition in (dated, f"{compared} < TIMESTAMP '2026-01-01 00:00:00'", '"asset" IS NOT NULL'):
+        check_conditions(condition, None, engine)
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_the_table_names_nodes_and_functions_that_there_are(name: str) -> None:
     """A function that sqlglot knows is a node, and is listed as one; what is there twice is a slip."""
     allowed = allowed_on(name)
