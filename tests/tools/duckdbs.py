@@ -1,5 +1,6 @@
 """Other DuckDBs than the one that is installed: folders that hold one each, named by ``GAM_DUCKDBS``."""
 
+import functools
 import os
 import subprocess
 import sys
@@ -17,6 +18,7 @@ def run(folder: str, *words: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, *words], cwd=ROOT, env=around, capture_output=True, text=True)
 
 
+@functools.cache
 def version(folder: str) -> str:
     """Return the version that a folder holds."""
     return run(folder, "-c", "import duckdb; print(duckdb.__version__)").stdout.strip()
