@@ -40,7 +40,7 @@ def test_it_is_the_version_of_the_table() -> None:
 
 
 def test_a_history() -> None:
-    """Score, crash and replay by commands and by a script, on both ways to one state."""
+    """What gam score leaves and what the printed script leaves is the same."""
     passes("tests/export/test_run_sql.py", "-k", "a_history_leaves_what_gam_score_leaves")
 
 
