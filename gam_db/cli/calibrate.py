@@ -96,12 +96,14 @@ def _none_left_empty(address: str | None) -> Iterator[None]:
 def _job(session: Session, settings: Settings, is_new: bool) -> Job:
     """Return what is to be calibrated; what was not said of a known monitor's source is remembered."""
     said, known, tables = settings.source, None, settings.monitor.tables
+    said.check_conditions(session.engine)
     if not is_new:
         migrations.require(session, tables)
         state = State(session, tables)
         names = {row["name"]: row for row in state.monitors()}
         if known := names.get(settings.monitor.name):
             said = _remembered(said, known, list(dict.fromkeys(channels_of(state, known))))
+            said = dataclasses.replace(said, where_any=True)  # what is remembered was let before
     if said.relation is None:
         raise wrong("no_source_to_calibrate")
     settings = dataclasses.replace(settings, source=said)

@@ -71,9 +71,6 @@ class Settings:
 
         An option replaces the value of its name. The three ways to say where calibration lies replace
         one another, and so do the two layouts with what belongs to each.
-
-        Raises:
-            UserError: ``where`` or ``valid_when`` is no condition, or asks other tables and was not let.
         """
         columns, calibration = said.get("source", {}), said.get("calibration", {})
         source, kept = self.source, dict(self.calibration)
@@ -84,7 +81,6 @@ class Settings:
         if calibration.keys() & set(WAYS):
             kept = {name: value for name, value in kept.items() if name not in WAYS}
         source = dataclasses.replace(source, **columns)
-        _check_where(source)
         return dataclasses.replace(
             self,
             source=source,
@@ -120,20 +116,6 @@ def load(path: Path | None = None, folder: Path | None = None) -> Settings:
         return _settings(document, path)
     except UserError as error:
         raise ConfigurationError(f"{path}: {error.options}") from error
-
-
-def _check_where(source: SourceSettings) -> None:
-    """Refuse a condition that reads other tables or files, unless that is wanted."""
-    said = {"where": source.where, "valid_when": source.valid_when}
-    if source.where_any or not any(said.values()):
-        return
-    from sqlglot import exp  # most commands need neither
-
-    from gam_db.settings.source import parsed_condition
-
-    for called, condition in said.items():
-        if parsed_condition(condition, called).find(exp.Query):
-            raise wrong("where_asks_other_tables", called=called, where=condition)
 
 
 def _check_owner(path: Path) -> None:

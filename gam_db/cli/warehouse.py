@@ -70,6 +70,7 @@ def compile(
     if settings.source.database is None and engine_named(engine).reads_files:
         placed = dataclasses.replace(settings.source, relation=as_folder(settings.source.relation))
         settings = dataclasses.replace(settings, source=placed)
+    settings.source.check_conditions(engine_named(engine))
     source = described(settings, engine_named(engine).guard is not None)
     prefix = "gam_live_" if prefix is None else prefix
     parts = _parts(without)
@@ -158,6 +159,7 @@ def dbt(
     elsewhere they are called asset, channel, time and value unless named. Calibration must be fixed:
     closed intervals, by --calibrate or in gam.toml. Files of an earlier export are replaced.
     """
+    settings.source.check_conditions(engine_named(engine))
     parameters, calibration = settings.method()
     kept = settings.monitor
     parts = _parts(without)

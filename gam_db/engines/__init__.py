@@ -21,7 +21,8 @@ from gam_db.errors import EngineError, nearest
 class Evidence:
     """A row of the table: what ran or parsed the SQL of an engine, its version, when, in which tests.
 
-    Of the kinds of evidence docs/engines.md says what each means.
+    Of the kinds of evidence docs/engines.md says what each means. ``also`` is another version, and the
+    file of the tests that run the tests of the engine on it; empty for none.
     """
 
     engine: str
@@ -30,6 +31,7 @@ class Evidence:
     version: str
     date: str
     tests: str
+    also: str
 
 
 #: The rows of the table, by engine, in its order.

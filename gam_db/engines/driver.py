@@ -3,7 +3,8 @@
 A driver owns what its client library wants; :mod:`gam_db.engines.session` owns what all do alike.
 """
 
-from collections.abc import Iterable, Sequence
+import contextlib
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Protocol
 
 import pyarrow as pa
@@ -29,6 +30,8 @@ class Driver(Protocol):
     no_files: str = "{path} is a file, which this engine does not read."
     #: How many readings can be worked on at once, where that is fixed: it sorts on its disk.
     most_rows: int = 4_000_000
+    #: Begins a transaction that changes nothing; empty where there is none.
+    begins_reading: str = ""
 
     def execute(self, statement: str) -> None:
         """Run one statement."""
@@ -56,6 +59,19 @@ class Driver(Protocol):
     def in_transaction(self) -> bool:
         """Tell whether a transaction is open that is not ours."""
         return False
+
+    @contextlib.contextmanager
+    def only_reading(self) -> Iterator[None]:
+        """Let statements change nothing for a while, where the engine can and no transaction is open."""
+        if not self.begins_reading or self.in_transaction():
+            yield
+            return
+        self.execute(self.begins_reading)
+        try:
+            yield
+        finally:
+            with contextlib.suppress(*self.errors):  # some errors have ended it
+                self.rollback()
 
     def keep(self, table: exp.Table, query: exp.Query) -> None:
         """Make a temporary table of the rows of a query, and let the planner know its size."""

@@ -127,7 +127,7 @@ class Session:
     def check_condition(
         self, relation: exp.Expr, condition: exp.Expr, shown: str, called: str = "where"
     ) -> None:
-        """Try a user's condition, which a message calls so, on no row.
+        """Try a user's condition, which a message calls so, on no row and where nothing can be written.
 
         Raises:
             SourceError: the engine refuses it; the message shows it as the user wrote it.
@@ -135,9 +135,12 @@ class Session:
         self.driver.expect_conditions()
         probe = exp.select(exp.Literal.number(1).as_("tried")).from_(relation.copy()).where(condition)
         try:
-            self.fetch(probe.limit(0))
-        except StatementError as error:
+            with self.driver.only_reading():
+                self.fetch(probe.limit(0))
+        except (StatementError, EngineError) as error:
             said = first_line(error.__cause__) + self.engine.condition_note
+            if isinstance(error, EngineError) and "read-only" not in said:  # it is not the condition
+                raise
             raise wrong(
                 "where_refused", called=called, shown=shown, title=self.engine.title, said=said
             ) from error

@@ -14,6 +14,8 @@ from typing import Any, Literal, TypeAlias
 from gam_db import data
 from gam_db.address import shown
 from gam_db.clock import Length
+from gam_db.engines.base import Engine
+from gam_db.engines.conditions import check_conditions
 from gam_db.engines.frames import arrow_table, signal_table
 from gam_db.engines.session import Session
 from gam_db.errors import SourceError, nearest
@@ -61,6 +63,15 @@ class SourceSettings(Form):
         """The address of the database without its password."""
         return None if self.database is None else shown(self.database)
 
+    def check_conditions(self, engine: Engine) -> None:
+        """Refuse conditions that an engine may not be asked, unless any is let.
+
+        Raises:
+            UserError: one is no condition, or holds what is not listed.
+        """
+        if not self.where_any:
+            check_conditions(self.where, self.valid_when, engine)
+
 
 #: role -> names that say it, in two strengths.
 KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
@@ -92,7 +103,9 @@ def guess(relation: Any, columns: Mapping[str, str], said: SourceSettings, sessi
     Raises:
         SourceError: a column that was named is not there, or one that was not named cannot be guessed;
             the message lists the columns and the options to use.
+        ConfigurationError: a condition holds what is not listed for the engine, and was not let.
     """
+    said.check_conditions(session.engine)
     return _Guesser(columns, said, session).guess(relation)
 
 

@@ -320,3 +320,28 @@ def test_a_function_of_the_source_that_looks_names_up(connection: Any) -> None:
             gam_db.support(source, PARAMETERS, HEALTHY, session)
         connection.execute("ALTER FUNCTION second.scaled SET search_path = second")
         assert gam_db.support(source, PARAMETERS, HEALTHY, session).num_rows == 4
+
+
+def test_a_condition_that_writes_is_refused_when_it_is_tried() -> None:
+    """A function that is said to be immutable is called while its query is planned, for no row."""
+    with database() as name, administrator(name) as connection:
+        source(connection, readings(0, 20))
+        connection.execute("CREATE TABLE written (a int)")
+        connection.execute(
+            "CREATE FUNCTION wrote() RETURNS int LANGUAGE plpgsql "
+            "AS 'BEGIN INSERT INTO public.written VALUES (1); RETURN 1; END'"
+        )
+        connection.execute(
+            "CREATE FUNCTION write() RETURNS int IMMUTABLE LANGUAGE plpgsql "
+            "AS 'BEGIN RETURN public.wrote(); END'"
+        )
+        for lent in (connection, postgres_server.server().url_of(name)):
+            with pytest.raises(SourceError, match="INSERT in a read-only transaction"):
+                gam_db.check(gam_db.Source("telemetry", where="public.write() > 0"), engine=lent)
+        assert connection.execute("SELECT * FROM written").fetchall() == []
+        connection.execute("INSERT INTO written VALUES (2)")
+        with connection.transaction():
+            connection.execute("INSERT INTO written VALUES (3)")
+            gam_db.check(gam_db.Source("telemetry", where="value < 100"), engine=connection)
+            connection.execute("INSERT INTO written VALUES (4)")
+        assert connection.execute("SELECT a FROM written ORDER BY a").fetchall() == [(2,), (3,), (4,)]

@@ -100,9 +100,14 @@ def test_the_time_of_a_timestamp_is_computed_once_a_row(connection: Any) -> None
 @pytest.mark.parametrize("kind", ['text COLLATE "folding"', "citext", "text"])
 def test_names_that_differ_by_case_are_two_machines(connection: Any, kind: str) -> None:
     connection.execute("CREATE EXTENSION citext")
-    connection.execute(
-        "CREATE COLLATION folding (provider = icu, locale = 'und-u-ks-level2', deterministic = false)"
-    )
+    try:
+        connection.execute(
+            "CREATE COLLATION folding "
+            "(provider = icu, locale = 'und-u-ks-level2', deterministic = false)"
+        )
+    except psycopg.errors.FeatureNotSupported:
+        if "folding" in kind:
+            pytest.skip("left out: this server was built without ICU")
     connection.execute(f"CREATE TABLE telemetry (asset {kind}, channel {kind}, time int, value real)")
     rows = [
         (asset, channel, time, value)

@@ -49,3 +49,5 @@ def test_ci_installs_what_is_locked() -> None:
     script = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
     assert '--constraints .ci/gam.txt -e ".[test,engines]"' in script
     assert "--requirements .ci/dbt.txt" in script
+    (allowed,) = (one for one in PROJECT["dependencies"] if Requirement(one).name == "duckdb")
+    assert f'--resolution "$age" "{allowed}"' in script

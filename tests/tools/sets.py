@@ -27,6 +27,7 @@ FIRST: dict[str, tuple[str, ...]] = {
     ),
     "clickhouse": (
         "engines/test_clickhouse",
+        "engines/test_conditions.py",
         "engines/test_engines.py",
         "engines/test_texts_in_scripts.py::test_a_text_is_no_number[clickhouse-1.5abc",
         "engines/test_texts_in_scripts.py::test_a_text_is_no_time[clickhouse-7 of 9-timestamp",
@@ -42,6 +43,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "stored/test_what_is_read.py",
     ),
     "mariadb": (
+        "engines/test_conditions.py",
         "engines/test_mariadb.py",
         "engines/test_types.py",
         "export/test_run_sql.py::test_a_history_leaves_what_gam_score_leaves",

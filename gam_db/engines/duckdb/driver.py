@@ -64,6 +64,7 @@ class DuckDriver(Driver):
 
     engine = ENGINE
     errors = (duckdb.Error,)
+    begins_reading = "BEGIN TRANSACTION READ ONLY"
 
     def __init__(self, target: Any, threads: int | None, writable: bool) -> None:
         ENGINE.check_version(duckdb.__version__)

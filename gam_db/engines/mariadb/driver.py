@@ -69,6 +69,7 @@ class MariaDriver(DbapiDriver):
     engine = ENGINE
     no_files = "MariaDB does not read the file {path}; load it into a table and name that."
     place = "%s"
+    begins_reading = "START TRANSACTION READ ONLY"
 
     def __init__(self, pymysql: Any, connection: Any, owned: bool) -> None:
         super().__init__(connection, owned)

@@ -227,6 +227,13 @@ class PostgresDriver(DbapiDriver):
         """
         self._runs_conditions = True
 
+    @contextlib.contextmanager
+    def only_reading(self) -> Iterator[None]:
+        """Let statements change nothing for a while, also in a transaction."""
+        with self._connection.transaction(force_rollback=True):
+            self._told(_QUERIES["only_read"], None)
+            yield
+
     def rows_at_once(self) -> int:
         return max(self._memory() * 1024 // _PER_READING, _AT_LEAST)
 

@@ -1,11 +1,12 @@
 """SQLite at work, by the standard library. Timestamps are texts (ISO 8601, UTC) or integer counters."""
 
+import contextlib
 import datetime as dt
 import decimal
 import os
 import re
 import sqlite3
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -96,6 +97,16 @@ class SqliteDriver(DbapiDriver):
         if isinstance(value, dt.date):
             return value.isoformat()
         return float(value) if isinstance(value, decimal.Decimal) else value
+
+    @contextlib.contextmanager
+    def only_reading(self) -> Iterator[None]:
+        """Let statements change nothing for a while, also in a transaction."""
+        ((before,),) = self._asked("PRAGMA query_only")
+        self._asked("PRAGMA query_only = 1")
+        try:
+            yield
+        finally:
+            self._asked(f"PRAGMA query_only = {before}")
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return the tables and views of all attached files: (schema, name)."""
