@@ -75,7 +75,8 @@ def calibrate(
         out of that range), lowest_dropped, highest_dropped (those farthest from it),
         usual_low, usual_middle, usual_high (one in twenty values lies below, the middle one, one in
         twenty above), verdict, sees, sees_half_stroke, sees_frozen, sees_faster, sees_slower,
-        would_not_see, blind_reason (as :func:`gam_db.support`), floor, floor_sd, floor_max, vectors (of
+        would_not_see, blind_reason, vouched_by, taught_by, member_floor (as :func:`gam_db.support`),
+        floor, floor_sd, floor_max, vectors (of
         calibration), cells, blocks, finest_bins, vectors_needed, hi_limit, limit_reason, status (setup,
         waiting or not assessed, since nothing is scored yet), needs_attention, left_out (how many
         intervals were taken out beside what the user gave).
