@@ -273,7 +273,7 @@ def _one_or_all(option: str, one: Setting, texts: list[str]) -> Any:
     try:
         return one.takes.option(texts[0])
     except ValueError:
-        raise wrong("no_number", option=option, text=texts[0]) from None
+        raise wrong("option_takes_a_number", option=option, text=texts[0]) from None
 
 
 def _of_asset(asset: str, said: Mapping[str, Any]) -> Calibration | None:

@@ -9,7 +9,6 @@ from typing import Any
 
 from gam_db.clock import FAR_AHEAD, LONG_AGO, Instant, Length, TimeKind, instant, length
 from gam_db.errors import CalibrationError, ParameterError, wrong
-from gam_db.settings.parameters import patterns_meet
 from gam_db.settings.setting import (
     INSTANT,
     LENGTH,
@@ -206,6 +205,26 @@ def _resolve_one(calibration: Calibration, kind: TimeKind) -> Rule:
         score_from=None if begins is None else instant(begins, kind, "score_from"),
         allowed=tuple(subtract(within, closed("exclude", calibration.exclude, kind))),
     )
+
+
+def patterns_meet(one: str, other: str) -> bool:
+    """Tell whether there is a name that both patterns match."""
+    waiting = [(0, 0)]
+    reached = set(waiting)
+    while waiting:
+        here, there = waiting.pop()
+        first, second = one[here : here + 1], other[there : there + 1]
+        if not first and not second:
+            return True
+        further: set[tuple[int, int]] = set()
+        if "*" in (first, second):  # it ends, or takes one more sign of the other
+            further |= {(here + 1, there)} if first else set()
+            further |= {(here, there + 1)} if second else set()
+        elif first and second and (first == second or "?" in (first, second)):
+            further = {(here + 1, there + 1)}
+        waiting += further - reached
+        reached |= further
+    return False
 
 
 def merge(intervals: Sequence[Interval]) -> list[Interval]:

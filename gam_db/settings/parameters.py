@@ -278,23 +278,3 @@ def pattern_matches(pattern: str, name: str) -> bool:
     """Tell whether a pattern (``*`` any text, ``?`` one character, else literal) names ``name``."""
     parts = (".*" if sign == "*" else "." if sign == "?" else re.escape(sign) for sign in pattern)
     return re.fullmatch("".join(parts), name, re.DOTALL) is not None
-
-
-def patterns_meet(one: str, other: str) -> bool:
-    """Tell whether there is a name that both patterns match."""
-    waiting = [(0, 0)]
-    reached = set(waiting)
-    while waiting:
-        here, there = waiting.pop()
-        first, second = one[here : here + 1], other[there : there + 1]
-        if not first and not second:
-            return True
-        further: set[tuple[int, int]] = set()
-        if "*" in (first, second):  # it ends, or takes one more sign of the other
-            further |= {(here + 1, there)} if first else set()
-            further |= {(here, there + 1)} if second else set()
-        elif first and second and (first == second or "?" in (first, second)):
-            further = {(here + 1, there + 1)}
-        waiting += further - reached
-        reached |= further
-    return False

@@ -14,8 +14,8 @@ from gam_db.cli import options
 from gam_db.cli.config import Settings
 from gam_db.clock import TimeKind
 from gam_db.errors import CalibrationError, UserError
-from gam_db.settings.calibration import Rule, resolve
-from gam_db.settings.parameters import pattern_matches, patterns_meet
+from gam_db.settings.calibration import Rule, patterns_meet, resolve
+from gam_db.settings.parameters import pattern_matches
 from gam_db.stored.calibrating import number_of, without
 
 KEPT: list[Settings] = []

@@ -3,6 +3,7 @@
 The pools are those of tests/spec/pooling.txt, where the figures are worked out.
 """
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +29,7 @@ THREE = "judged by a, b and c; of itself nothing is known"
 
 #: name -> values of each asset from time 1 on, calibration, target floor, and what each asset must have:
 #: verdict, floor, by machine, limit, machines that vouch, who taught, in words.
-POOLS: dict[str, tuple[dict[str, list[float]], dict[str, Any], float, dict[str, tuple[Any, ...]]]] = {
+POOLS: dict[str, tuple[Mapping[str, Sequence[float]], Any, float, dict[str, tuple[Any, ...]]]] = {
     "one teaches": (
         {"a": [0] * 4 + [4] * 4 + [0], "b": [2, 0], "c": [4]},
         {"fraction": 1.0, "overrides": {"a": {"intervals": [(1, 8)]}}},
