@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from gam_db import data
 from gam_db.alarms import Alarms, add_status
 from gam_db.clock import TimeKind, shown_instant, shown_length, told_time
+from gam_db.errors import printable
 from gam_db.settings.parameters import Parameters
 from gam_db.study import Study
 
@@ -32,9 +33,6 @@ ORDER = (
 FEWEST_BINS = 5
 
 _SHORTCOMINGS = data.table("gam_db", "findings.toml")
-
-#: Machines of a pool below which it is said how many vouch for one that taught nothing.
-FEW_MACHINES = 4
 
 #: How the remark begins that every channel with a probe has.
 SEES = "sees "
@@ -214,7 +212,7 @@ def _courses(
 
 
 def _remarks(row: Row, span: int, window: int, course: Course | None) -> list[str]:
-    remarks = shortcomings(row, span, course is not None and course.has_moved)
+    remarks = [*vouching(row), *shortcomings(row, span, course is not None and course.has_moved)]
     hi, limit = row["hi"], row["hi_limit"]
     if row["status"] != "not assessed":
         if course is None or hi is None:
@@ -267,13 +265,29 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     if needed is not None:
         more = f"it takes about {needed:,} more vectors"
     words = {"run": span + 1, "bins": row["finest_bins"], "more": more}
-    words["teacher"] = row.get("only_teacher")
     if told == "blind_range":
         lo, hi = row["calibrated_lo"], row["calibrated_hi"]
         part = 100 * (row["usual_high"] - row["usual_low"]) / (hi - lo)
         words |= {"lo": lo, "hi": hi, "part": f"{part:.2g}"}
     moved = " and has moved since" * has_moved
     return [_SHORTCOMINGS[told].format(moved=moved, **words)] if told in _SHORTCOMINGS else []
+
+
+def vouching(row: Row) -> list[str]:
+    """Return whose calibration judges a channel of a pool; nothing of one that stands alone.
+
+    *row* has vouched_by, taught_by, floor and member_floor (both sides, section 6).
+    """
+    teachers, floor = printable(row["taught_by"] or ""), row["member_floor"]
+    if row["vouched_by"] == 1:
+        return [f"not vouched: only {teachers} taught"]
+    if row["vouched_by"] is not None:
+        return [f"judged by {teachers}; of itself nothing is known"]
+    return (
+        []
+        if floor is None
+        else [f"taught by {teachers}; floor by leaving one machine out {share(floor)}"]
+    )
 
 
 def sight(row: Row) -> list[str]:
@@ -284,8 +298,6 @@ def sight(row: Row) -> list[str]:
     seen = [] if row["sees"] is None else [f"shifts of {row['sees']} % of its usual range"]
     seen += [words for name, words in _CHANGES.items() if row[name]]
     remarks = [f"{SEES}{', '.join(seen)}"] if seen else []
-    if row["vouched_by"] is not None and 1 < row["vouched_by"] < FEW_MACHINES:
-        remarks.append(f"its floor is that of {row['vouched_by']} machines that taught its pool")
     if row["would_not_see"]:
         is_ok = "ok; " if row.get("status") == "ok" else ""
         remarks.append(f"{is_ok}would not see {row['would_not_see']}")

@@ -83,14 +83,17 @@ def support(
         dropped_above (calibration samples left out of that range), lowest_dropped, highest_dropped
         (those farthest from it, NULL where there are none), samples, calibration_samples,
         calibration_vectors, cells, missing_vectors, conflicts, verdict (no_data, constant, ready,
-        blind, too_fine or needs_data), floor, floor_sd, floor_max (shares), good_turing,
+        blind, too_fine, needs_data or not_vouched), floor, floor_sd, floor_max (shares), good_turing,
         cells_per_vector, blocks, finest_bins (the finest grid that passes), vectors_needed (further
         calibration vectors, 0 if it passes, NULL if no figure can be given), usual_low, usual_middle,
         usual_high (one in twenty calibration values lies below, the middle one, one in twenty above),
         sees (the smallest of the shifts of 1, 2, 5, 10, 20 and 50 % of that range that would lift the
         indicator above its limit both ways; NULL if none), sees_half_stroke, sees_frozen, sees_faster,
         sees_slower (1 or 0, NULL if it could not be tried), would_not_see (in words), blind_reason
-        (range, blocks, cells or delay, where the verdict is blind: no shift is seen), hi_limit (the
+        (range, blocks, cells or delay, where the verdict is blind: no shift is seen), vouched_by (how
+        many machines of its pool vouch for one that taught nothing, NULL of others), taught_by (the
+        machines that taught its pool, in words), member_floor (the floor by leaving one of them out,
+        NULL where less than two taught; both sides, section 6), hi_limit (the
         health indicator above which the channel is high, NULL where nothing is to be judged),
         limit_reason (why there is none).
     """

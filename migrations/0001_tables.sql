@@ -169,7 +169,7 @@ CREATE TABLE IF NOT EXISTS stored_bounds (
   would_not_see VARCHAR,
   blind_reason VARCHAR,
   teachers BIGINT,
-  only_teacher VARCHAR,
+  taught_by VARCHAR,
   member_verdict VARCHAR,
   member_floor DOUBLE,
   member_floor_sd DOUBLE,
@@ -220,13 +220,14 @@ COMMENT ON COLUMN stored_bounds.blind_reason
   IS 'Why no shift would be seen: range, blocks, cells or delay (docs/sight.md); NULL where the verdict is not blind';
 COMMENT ON COLUMN stored_bounds.teachers
   IS 'Machines of its pool that taught, where others taught nothing; NULL else';
-COMMENT ON COLUMN stored_bounds.only_teacher IS 'The machine, where it is one only';
+COMMENT ON COLUMN stored_bounds.taught_by
+  IS 'The machines of its pool that taught, in words; NULL where a channel stands alone, or nobody taught';
 COMMENT ON COLUMN stored_bounds.member_verdict
   IS 'Verdict of members that taught nothing, by leaving out one machine after another, or not_vouched; NULL where there are none';
 COMMENT ON COLUMN stored_bounds.member_floor
-  IS 'Health indicator to expect of them; NULL likewise, and where one machine taught';
+  IS 'Health indicator to expect of a whole machine, by leaving out one after another; NULL where less than two machines taught';
 COMMENT ON COLUMN stored_bounds.member_floor_sd
-  IS 'Standard deviation of the machines around it; NULL likewise';
+  IS 'Standard deviation of the machines around it; NULL where all members taught, or less than two did';
 COMMENT ON COLUMN stored_bounds.member_floor_max IS 'Highest of the machines; NULL likewise';
 COMMENT ON COLUMN stored_bounds.member_finest_bins
   IS 'Finest bins that meet the target for them; NULL likewise, and if none do';

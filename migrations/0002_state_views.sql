@@ -434,7 +434,8 @@ SELECT
   would_not_see,
   blind_reason,
   vouched_by,
-  only_teacher,
+  taught_by,
+  member_floor,
   CASE
     WHEN verdict IN ('ready', 'blind')
       THEN CASE
@@ -470,7 +471,8 @@ FROM (
     learnt.would_not_see AS would_not_see,
     learnt.blind_reason AS blind_reason,
     CASE WHEN others.hit = 1 THEN learnt.teachers END AS vouched_by,
-    CASE WHEN others.hit = 1 THEN learnt.only_teacher END AS only_teacher
+    learnt.taught_by AS taught_by,
+    learnt.member_floor AS member_floor
   FROM stored_version AS version
   JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
   LEFT JOIN (
@@ -515,7 +517,9 @@ COMMENT ON COLUMN stored_certified.blind_reason
   IS 'Why no shift would be seen: range, blocks, cells or delay (docs/sight.md); NULL where the verdict is not blind';
 COMMENT ON COLUMN stored_certified.vouched_by
   IS 'Machines of its pool that vouch for it, where it taught nothing; NULL else';
-COMMENT ON COLUMN stored_certified.only_teacher
-  IS 'The machine, where it is one only: then it is not vouched for';
+COMMENT ON COLUMN stored_certified.taught_by
+  IS 'The machines that taught its pool, in words; NULL for a channel that stands alone, or where nobody taught';
+COMMENT ON COLUMN stored_certified.member_floor
+  IS 'Health indicator to expect of a whole machine of its pool, by leaving out one that taught after another; NULL where less than two taught';
 COMMENT ON COLUMN stored_certified.hi_limit
   IS 'Health indicator above which the channel is high; NULL where nothing is to be judged';

@@ -23,6 +23,7 @@ SELECT
       THEN CAST(full_bucket.novel_in_window AS DOUBLE) / CAST(version.window_length AS DOUBLE)
   END AS hi,
   learnt.verdict AS verdict,
+  learnt.taught_by AS taught_by,
   learnt.hi_limit AS hi_limit
 FROM stored_visible_bucket AS full_bucket
 JOIN stored_version AS version ON version.version_id = full_bucket.version_id
@@ -63,6 +64,8 @@ COMMENT ON COLUMN stored_health.hi
   IS 'Health indicator: novel_in_window / window_length, 0 like calibration, 1 all states never seen';
 COMMENT ON COLUMN stored_health.verdict
   IS 'Is the calibration good enough? ready, too_fine, needs_data, constant or no_data';
+COMMENT ON COLUMN stored_health.taught_by
+  IS 'The machines that taught its pool, in words; NULL for a channel that stands alone, or where nobody taught';
 COMMENT ON COLUMN stored_health.hi_limit IS 'Where hi is high; NULL where nothing is to be judged';
 
 -- Stillness: the channels whose signal stands still now, at the end of what the newest run that found any row read.
@@ -246,7 +249,12 @@ SELECT
   learnt.would_not_see AS would_not_see,
   learnt.blind_reason AS blind_reason,
   learnt.vouched_by AS vouched_by,
-  learnt.only_teacher AS only_teacher,
+  learnt.taught_by AS taught_by,
+  learnt.member_floor AS member_floor,
+  CASE
+    WHEN learnt.vouched_by = 1 THEN 'not vouched: only ' || learnt.taught_by || ' taught'
+    WHEN learnt.vouched_by > 1 THEN 'judged by ' || learnt.taught_by || '; of itself nothing is known'
+  END AS vouching,
   version.m AS m,
   version.tau AS tau,
   version.bins AS bins,
@@ -676,8 +684,12 @@ COMMENT ON COLUMN stored_fleet.blind_reason
   IS 'Why no shift would be seen: range, blocks, cells or delay (docs/sight.md); NULL where the verdict is not blind';
 COMMENT ON COLUMN stored_fleet.vouched_by
   IS 'Machines of its pool that vouch for it, where it taught nothing; NULL else';
-COMMENT ON COLUMN stored_fleet.only_teacher
-  IS 'The machine, where it is one only: then it is not vouched for';
+COMMENT ON COLUMN stored_fleet.taught_by
+  IS 'The machines that taught its pool, in words; NULL for a channel that stands alone, or where nobody taught';
+COMMENT ON COLUMN stored_fleet.member_floor
+  IS 'Health indicator to expect of a whole machine of its pool, by leaving out one that taught after another; NULL where less than two taught';
+COMMENT ON COLUMN stored_fleet.vouching
+  IS 'By whom it is judged, in words, where it taught its pool nothing; NULL else';
 COMMENT ON COLUMN stored_fleet.m IS 'Embedding dimension';
 COMMENT ON COLUMN stored_fleet.tau IS 'Delay, in samples';
 COMMENT ON COLUMN stored_fleet.bins IS 'Bins per axis';

@@ -10,7 +10,7 @@ from typing import Any
 
 from gam_db.address import is_url
 from gam_db.checking.words import number_of
-from gam_db.cli import automatic, options, page
+from gam_db.cli import automatic, options, page, pools
 from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, channels_of, heading, job_of, place
 from gam_db.cli.options import option
@@ -18,7 +18,16 @@ from gam_db.cli.progress import working
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, printable, wrong
-from gam_db.findings import Row, dropped, is_blind, lack_data, need_attention, share, shortcomings, sight
+from gam_db.findings import (
+    Row,
+    dropped,
+    is_blind,
+    lack_data,
+    need_attention,
+    shortcomings,
+    sight,
+    vouching,
+)
 from gam_db.reading.guess import SourceSettings, folder_or_table
 from gam_db.settings.source import AnySource, WideSource, is_file, shown_relation, slashed
 from gam_db.stored.monitor import Monitor
@@ -167,6 +176,7 @@ def _show(
         return
     versions = page.amount(rows, "new version")
     page.say(out, f"{where}, from {printable(job.name)}: {versions}{job.settings}")
+    page.say(out, *pools.lines(rows, job.calibration))
     page.say(out, *job.lines())
     out.print()
     ordered = sorted(rows, key=lambda row: not _is_poor(row))
@@ -178,14 +188,22 @@ def _show(
         "reason": "reason",
         "verdict": "verdict",
         "sees": page.sees,
-        "floor": lambda row: share(row["floor"]),
+        **page.floors(shown),
         "vectors": "vectors",
         "cells": "cells",
     }
     left, spare = ("reason", "verdict"), ("cells", "vectors", "sees")
     page.table(out, shown, columns, lambda row: "?" if _is_poor(row) else " ", left, spare)
     told = (
-        (name(row), [*shortcomings(row, (row["m"] - 1) * row["tau"]), *sight(row), *dropped(row)])
+        (
+            name(row),
+            [
+                *vouching(row),
+                *shortcomings(row, (row["m"] - 1) * row["tau"]),
+                *sight(row),
+                *dropped(row),
+            ],
+        )
         for row in shown
     )
     page.remarks(out, told, everything)

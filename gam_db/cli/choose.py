@@ -27,7 +27,8 @@ from gam_db.study.automatic import Siblings
 
 
 @options.taking(
-    *(*options.READ, "everything", "as_json", "threads"), but=("tau", "stride", "score_from", "pool")
+    *(*options.READ, "everything", "as_json", "threads"),
+    but=("tau", "stride", "score_from", "pool", "reference"),
 )
 def select(
     settings: Settings,
@@ -44,7 +45,7 @@ def select(
     """
     with reading(settings, common) as (session, whole, on_step):
         asked = dataclasses.replace(whole.parameters, tau=AUTO, bins=AUTO, overrides=())
-        alike = dataclasses.replace(whole.calibration, pool=None)
+        alike = dataclasses.replace(whole.calibration, pool=None, reference=())
         study = Study(session, whole.guess.source, asked, alike, on_step)
         study.forget()
     if whole.parameters.window == AUTO:

@@ -184,8 +184,9 @@ def _rule(where: str, rule: Any) -> Calibration | None:
         return None
     if not isinstance(rule, dict):
         raise ConfigurationError(f"{where} is {rule!r}; it is a section, or false for no calibration.")
-    if "pool" in rule:
-        raise ConfigurationError(f"{where} has a pool of its own; only [calibration] may.")
+    for name in ("pool", "reference"):
+        if name in rule:
+            raise ConfigurationError(f"{where} has a {name} of its own; only [calibration] may.")
     return Calibration(**_read(where, rule, Calibration))
 
 

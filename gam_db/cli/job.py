@@ -140,7 +140,14 @@ def healthy_part(calibration: Calibration) -> str:
         healthy = number_of(len(calibration.intervals or ()), "interval")
     if own := [printable(pattern) for pattern in calibration.overrides]:
         healthy += f", but for {some(own)}"
-    return healthy + (", pooled" if calibration.pool is not None else "")
+    if calibration.pool is not None:
+        rules = dict(calibration.cases)
+        teachers = [printable(name) for name, rule in rules.items() if rule is not None]
+        is_named = any(
+            rules.get(one, calibration) is None for group in calibration.pools for one in group
+        )
+        healthy += ", pooled" + (f", taught by {some(teachers)} only" if is_named and teachers else "")
+    return healthy
 
 
 def place(settings: Settings) -> Row:

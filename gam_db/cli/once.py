@@ -18,7 +18,7 @@ from gam_db.address import is_url
 from gam_db.alarms import Alarms
 from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
 from gam_db.checking.words import number_of
-from gam_db.cli import automatic, options, page
+from gam_db.cli import automatic, options, page, pools
 from gam_db.cli import programs as of_programs
 from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, job_of
@@ -231,6 +231,7 @@ def show(
     """Print what was found of each channel, what calibration chose for siblings, and what it lacks."""
     samples = sum(row["samples"] for row in found)
     page.say(out, f"{printable(job.name)}: {page.amount(found)}, {samples:,} samples{job.settings}")
+    page.say(out, *pools.lines(found, job.calibration))
     page.say(out, *job.lines())
     out.print()
     shown = found if everything else found[: options.SHOWN]

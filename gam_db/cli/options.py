@@ -22,7 +22,7 @@ from gam_db.cli.config import SECTIONS, Settings
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import ConfigurationError, EngineError, wrong
-from gam_db.settings.calibration import Calibration
+from gam_db.settings.calibration import WAYS, Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.setting import COUNT, FLAG, TEXT, Setting, check, setting, settings_of
 from gam_db.settings.source import FILE_ENDINGS, as_folder, is_file, is_spreadsheet
@@ -41,6 +41,9 @@ _KNOWN: Mapping[str, tuple[str, Setting]] = {
     for name, one in settings_of(of).items()
     if name not in ("relation", "database", "channels")
 }
+
+#: What options say of single assets, too, as ASSET=VALUE.
+BY_ASSET = tuple(name for name in settings_of(Calibration) if name not in ("pool", "reference"))
 
 #: Options of commands that read a source, and of commands that work with the state.
 READ = tuple(
@@ -186,6 +189,8 @@ def _options(name: str, section: str, one: Setting) -> Iterator[inspect.Paramete
     """Yield the option of a setting, and the one that says there is none."""
     kind = one.takes
     of, default = (bool, False) if kind.option is bool else (kind.option | None, None)
+    if section == "calibration" and name in BY_ASSET:
+        of = list[str] | None
     yield _parameter(name, of, _typer(name, section, one, default))
     if kind.none and one.off is not None:
         said = f"{one.off[1][0].upper()}{one.off[1][1:]}."
@@ -196,7 +201,7 @@ def _options(name: str, section: str, one: Setting) -> Iterator[inspect.Paramete
 def _said(given: dict[str, Any], known: Mapping[str, tuple[str, Setting]]) -> dict[str, dict[str, Any]]:
     """Return what the options say, by section and name; only what was said."""
     said: dict[str, dict[str, Any]] = {section: {} for section in SECTIONS}
-    given["intervals"], own = _by_asset(given.get("intervals") or [])
+    own = _by_asset(given)
     for name, (section, one) in known.items():
         value = given.get(name)
         is_said = not (value is None or value is False or value == [])
@@ -227,7 +232,11 @@ def _laid(
         columns["database"] = database or None
     settings = Settings() if fresh else config.load(given["config"]).for_source(relation)
     if "overrides" in said["calibration"]:
-        said["calibration"]["overrides"] |= settings.calibration.get("overrides", {})
+        # What an option says of a pattern goes before what the file says of it, and is asked first.
+        own, of_file = said["calibration"]["overrides"], settings.calibration.get("overrides", {})
+        said["calibration"]["overrides"] = own | {
+            name: of for name, of in of_file.items() if name not in own
+        }
     return settings.under(**said)
 
 
@@ -236,17 +245,47 @@ def one_or_more(given: Sequence[str] | None) -> str | tuple[str, ...] | None:
     return given[0] if given and len(given) == 1 else tuple(map(as_folder, given or ())) or None
 
 
-def _by_asset(given: Sequence[str]) -> tuple[list[str], dict[str, Calibration]]:
-    """Return the intervals that are for all, and the calibration of each asset that has its own."""
-    kind = settings_of(Calibration)["intervals"].takes
-    own: dict[str, list[str]] = {}
-    for text in given:
-        asset, _, interval = text.rpartition("=")
-        own.setdefault(asset.strip(), []).append(interval)
-    general = own.pop("", [])
-    return general, {
-        asset: Calibration(intervals=kind.read("--calibrate", texts)) for asset, texts in own.items()
-    }
+def _by_asset(given: dict[str, Any]) -> dict[str, Calibration | None]:
+    """Return the calibration of each asset that options name; what is for all stays in ``given``.
+
+    An asset comes before patterns, which would hide it: the first that matches applies.
+    """
+    own: dict[str, dict[str, Any]] = {}
+    for name in BY_ASSET:
+        one, said = settings_of(Calibration)[name], dict[str, list[str]]()
+        for text in given.get(name) or []:
+            asset, _, value = text.rpartition("=")
+            said.setdefault(asset.strip(), []).append(value.strip())
+        values = {asset: _one_or_all(_option(name, one)[0], one, texts) for asset, texts in said.items()}
+        given[name] = values.pop("", None)
+        for asset, value in values.items():
+            own.setdefault(asset, {})[name] = value
+    ordered = sorted(own, key=lambda asset: "*" in asset or "?" in asset)
+    return {asset: _of_asset(asset, own[asset]) for asset in ordered}
+
+
+def _one_or_all(option: str, one: Setting, texts: list[str]) -> Any:
+    """Return what one option says of one asset, or of all: a list of texts, or one value."""
+    if one.takes.option == list[str]:
+        return texts
+    if len(texts) > 1:
+        raise wrong("said_twice", option=option, values=" and ".join(texts))
+    try:
+        return one.takes.option(texts[0])
+    except ValueError:
+        raise wrong("option_takes_a_number", option=option, text=texts[0]) from None
+
+
+def _of_asset(asset: str, said: Mapping[str, Any]) -> Calibration | None:
+    known = settings_of(Calibration)
+    if said.get("intervals") in (["false"], ["none"]) and len(said) == 1:
+        return None
+    if not set(WAYS) & set(said):
+        option = _option(name := next(iter(said)), known[name])[0]
+        raise wrong("no_way_of_asset", option=option, asset=asset)
+    return Calibration(
+        **{name: known[name].of_option(_option(name, known[name])[0], of) for name, of in said.items()}
+    )
 
 
 def _check_layout(columns: dict[str, Any]) -> None:

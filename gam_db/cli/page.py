@@ -237,7 +237,7 @@ def channels(
         "verdict": "verdict",
         "sees": sees,
         **({"bins": lambda row: str(row["bins"])} if len({row["bins"] for row in rows}) > 1 else {}),
-        "floor": lambda row: share(assessed(row, "floor")),
+        **floors(rows),
         "HI": lambda row: share(assessed(row, "hi")),
         **({"trend": lambda row: rise(assessed(row, "trend"))} if rows and "trend" in rows[0] else {}),
         "HI, 0 to 1": lambda row: Course(() if assessed(row, "course") is None else row["course"]),
@@ -345,6 +345,13 @@ def unseen(rows: Sequence[Row]) -> list[str]:
     )
     words = ", ".join(f"{change} ({count:,})" for change, count in counts.most_common())
     return [f"of {len(rows):,} would not see: {words}"] if words else []
+
+
+def floors(rows: Sequence[Row]) -> dict[str, Cell]:
+    """Return the column of floors, and beside it of those by leaving one machine of a pool out."""
+    by_machine: dict[str, Cell] = {"by machine": lambda row: share(row["member_floor"])}
+    is_pooled = any(row["member_floor"] is not None for row in rows)
+    return {"floor": lambda row: share(assessed(row, "floor")), **(by_machine if is_pooled else {})}
 
 
 def advice(supports: Sequence[Row]) -> list[str]:

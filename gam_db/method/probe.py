@@ -113,7 +113,7 @@ def add_certified(steps: Pipeline, has_pools: bool, has_programs: bool = False) 
     if has_pools:
         add(steps, "certificate/vouched_verdicts")
         verdicts = "vouched_verdicts"
-    vouched = (("vouched_by", "BIGINT"), ("only_teacher", "VARCHAR"))
+    vouched = (("vouched_by", "BIGINT"), ("taught_by", "VARCHAR"), ("member_floor", "DOUBLE"))
     slots["vouched"] = [
         exp.alias_(exp.column(name, table="learnt") if has_pools else exp.cast(exp.null(), of), name)
         for name, of in vouched

@@ -52,7 +52,7 @@ class Method:
         columns: the settings in which channels of one set may differ: the steps read them as columns. Of
             these the parameters have the largest.
         programs: the column that says which program a machine runs, if the source has one.
-        assets: the patterns of the calibration's overrides; that of number n has rule n + 1.
+        assets: the patterns of the calibration's cases; that of number n has rule n + 1.
         pools: groups of asset patterns.
         settings: the distinct sets of parameters; number 0 is the general one.
         rules: calibration in integers; number 0 is the general one.
@@ -87,7 +87,7 @@ class Method:
         longest = (setting.max_gap for setting in settings)
         gaps = (None if gap is None else length(gap, self.kind, "max_gap") for gap in longest)
         found = {
-            "assets": tuple(self.calibration.overrides),
+            "assets": tuple(pattern for pattern, _ in self.calibration.cases),
             "pools": self.calibration.pools,
             "settings": settings,
             "rules": tuple(resolve(self.calibration, self.kind)),

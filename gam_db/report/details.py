@@ -299,5 +299,6 @@ _LISTED |= {"episode": "episode_id", "limit": "hi_limit", "vectors": "calibratio
 _LISTED |= {"finest": "finest_bins", "needed": "vectors_needed", "window": "window_length"}
 _LISTED |= {"version": "version_no", "target": "target_floor"}
 _LISTED |= {"sees": "sees", "unseen": "would_not_see", "blind": "blind_reason"}
+_LISTED |= {"vouching": "vouching", "teachers": "taught_by", "machineFloor": "member_floor"}
 _LISTED_TIMES = (("since", "since_tick"), ("silent", "silent_for"), ("at", "data_tick"))
 _LISTED_RANGE = (("low", "calibrated_lo"), ("high", "calibrated_hi"))

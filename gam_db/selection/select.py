@@ -79,7 +79,7 @@ def alone(parameters: Parameters, calibration: Calibration) -> tuple[Parameters,
     """Return the method for channels that each speak for themselves: one set of numbers, no pools."""
     return (
         dataclasses.replace(parameters.finest(), overrides=()),
-        dataclasses.replace(calibration, pool=None),
+        dataclasses.replace(calibration, pool=None, reference=()),
     )
 
 

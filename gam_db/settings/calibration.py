@@ -10,7 +10,17 @@ from typing import Any
 from gam_db.arguments import public
 from gam_db.clock import FAR_AHEAD, LONG_AGO, Instant, Length, TimeKind, instant, length
 from gam_db.errors import CalibrationError, ParameterError, wrong
-from gam_db.settings.setting import INSTANT, LENGTH, SHARE, Kind, Setting, check, declared, setting
+from gam_db.settings.setting import (
+    INSTANT,
+    LENGTH,
+    SHARE,
+    Kind,
+    Setting,
+    check,
+    declared,
+    setting,
+    texts,
+)
 
 Interval = tuple[int, int]
 
@@ -56,8 +66,16 @@ def _read_groups(_: str, texts: Sequence[str]) -> Any:
     return [[pattern.strip() for pattern in text.split(",")] for text in texts]
 
 
+def _patterns(_: Setting, name: str, patterns: Any) -> tuple[str, ...]:
+    listed = [patterns] if isinstance(patterns, str) else patterns
+    if not texts(listed):
+        raise wrong("reference", name=name, patterns=patterns)
+    return tuple(listed)
+
+
 INTERVALS = Kind(_pairs, list[str], _read_pairs, "FROM/TO")
 POOL = Kind(_groups, list[str], _read_groups, "GROUP")
+PATTERNS = Kind(_patterns, list[str], metavar="ASSET")
 
 
 @public
@@ -70,6 +88,9 @@ class Calibration:
     ``intervals`` (closed; an empty list means no calibration of its own, for a member of a pool); with
     none of them, ``fraction=0.2``. Instants are integers of the counter, or datetimes, dates or ISO
     8601 texts; lengths may be timedeltas. Only channels with the same parameters are pooled.
+
+    Where ``reference`` or rules of their own name machines of a pool as healthy, its other members teach
+    nothing; ``reference="*"`` lets all of them teach.
 
     Attributes:
         overrides: asset pattern -> Calibration, or None for no calibration of its own; the first
@@ -86,6 +107,7 @@ class Calibration:
     score_from: Instant | None = setting(None, INSTANT)
     overrides: Mapping[str, "Calibration | None"] = field(default_factory=dict)
     pool: str | Sequence[Sequence[str]] | None = setting(None, POOL)
+    reference: str | Sequence[str] = setting((), PATTERNS)
 
     def __post_init__(self) -> None:
         check(self, CalibrationError)
@@ -101,8 +123,10 @@ class Calibration:
                 raise wrong("calibration_pattern", pattern=pattern)
             if rule is not None and not isinstance(rule, Calibration):
                 raise wrong("calibration_of_pattern", pattern=pattern)
-            if rule is not None and (rule.overrides or rule.pool is not None):
+            if rule is not None and (rule.overrides or rule.reference or rule.pool is not None):
                 raise wrong("calibration_in_calibration", pattern=pattern)
+        if self.reference and self.pool is None:
+            raise wrong("reference_without_pool", name=", ".join(self.reference))
 
     @property
     def pools(self) -> tuple[tuple[str, ...], ...]:
@@ -112,6 +136,32 @@ class Calibration:
         if isinstance(self.pool, str):
             return (("*",),)
         return tuple(tuple(group) for group in self.pool)
+
+    @property
+    def teachers(self) -> tuple[str, ...]:
+        """The asset patterns that are named as healthy: by an override with a rule, or as reference."""
+        named = [name for name, rule in self.overrides.items() if rule and rule.intervals != ()]
+        return (*named, *self.reference)
+
+    @property
+    def cases(self) -> tuple[tuple[str, "Calibration | None"], ...]:
+        """Asset patterns with the rule of each; the first that matches applies, else the general rule.
+
+        The members of a pool of which an override or ``reference`` names some have no rule, but for
+        those. Which machines there are does not matter: a name that fits none lets nobody else teach.
+        """
+        named = [*self.overrides.items(), *((pattern, self) for pattern in self.reference)]
+        cases: dict[str, Calibration | None] = {}
+        for pattern, rule in named:
+            cases.setdefault(pattern, rule)
+        for group in self.pools:
+            is_named = any(patterns_meet(one, other) for one in self.teachers for other in group)
+            for pattern in group:
+                cases.setdefault(pattern, None if is_named else self)
+        found = list(cases.items())
+        while found and found[-1][1] is self:
+            found.pop()
+        return tuple(found)
 
 
 #: The ways to say where calibration lies, one of which is taken.
@@ -131,7 +181,7 @@ class Rule:
 
 
 def resolve(calibration: Calibration, kind: TimeKind) -> list[Rule]:
-    """Return the rules in integers: the general one, then one per override, in order.
+    """Return the rules in integers: the general one, then one per case of :attr:`Calibration.cases`.
 
     Raises:
         CalibrationError: an instant or a length does not fit the way the source tells time, or an
@@ -140,10 +190,7 @@ def resolve(calibration: Calibration, kind: TimeKind) -> list[Rule]:
     try:
         return [
             _resolve_one(calibration, kind),
-            *(
-                Rule() if rule is None else _resolve_one(rule, kind)
-                for rule in calibration.overrides.values()
-            ),
+            *(Rule() if rule is None else _resolve_one(rule, kind) for _, rule in calibration.cases),
         ]
     except ParameterError as error:
         raise CalibrationError(error.options) from error
@@ -160,6 +207,26 @@ def _resolve_one(calibration: Calibration, kind: TimeKind) -> Rule:
         score_from=None if begins is None else instant(begins, kind, "score_from"),
         allowed=tuple(subtract(within, closed("exclude", calibration.exclude, kind))),
     )
+
+
+def patterns_meet(one: str, other: str) -> bool:
+    """Tell whether there is a name that both patterns match."""
+    waiting = [(0, 0)]
+    reached = set(waiting)
+    while waiting:
+        here, there = waiting.pop()
+        first, second = one[here : here + 1], other[there : there + 1]
+        if not first and not second:
+            return True
+        further: set[tuple[int, int]] = set()
+        if "*" in (first, second):  # it ends, or takes one more sign of the other
+            further |= {(here + 1, there)} if first else set()
+            further |= {(here, there + 1)} if second else set()
+        elif first and second and (first == second or "?" in (first, second)):
+            further = {(here + 1, there + 1)}
+        waiting += further - reached
+        reached |= further
+    return False
 
 
 def merge(intervals: Sequence[Interval]) -> list[Interval]:

@@ -75,7 +75,8 @@ def calibrate(
         out of that range), lowest_dropped, highest_dropped (those farthest from it),
         usual_low, usual_middle, usual_high (one in twenty values lies below, the middle one, one in
         twenty above), verdict, sees, sees_half_stroke, sees_frozen, sees_faster, sees_slower,
-        would_not_see, blind_reason (as :func:`gam_db.support`), floor, floor_sd, floor_max, vectors (of
+        would_not_see, blind_reason, vouched_by, taught_by, member_floor (as :func:`gam_db.support`),
+        floor, floor_sd, floor_max, vectors (of
         calibration), cells, blocks, finest_bins, vectors_needed, hi_limit, limit_reason, status (setup,
         waiting or not assessed, since nothing is scored yet), needs_attention, left_out (how many
         intervals were taken out beside what the user gave).
@@ -142,17 +143,23 @@ def calibrate(
 def without(
     calibration: Calibration, spans: Mapping[str, Sequence[tuple[Instant, Instant]]]
 ) -> Calibration:
-    """Return a rule from which closed intervals of single assets are taken out besides."""
+    """Return a rule from which closed intervals of single assets are taken out besides.
+
+    Who teaches stays as it was: an asset that gets a rule of its own here is not named as healthy by it.
+    """
+    general = dataclasses.replace(calibration, overrides={}, pool=None, reference=())
+    cases = {pattern: general if rule is calibration else rule for pattern, rule in calibration.cases}
     own: dict[str, Calibration | None] = {}
     for asset, cut in spans.items():
-        number = number_of(asset, tuple(calibration.overrides))
-        rule: Calibration | None = dataclasses.replace(calibration, overrides={}, pool=None)
-        if number:
-            rule = tuple(calibration.overrides.values())[number - 1]
+        number = number_of(asset, tuple(cases))
+        rule = tuple(cases.values())[number - 1] if number else general
         if rule is not None:
             own[asset] = dataclasses.replace(rule, exclude=(*rule.exclude, *cut))
-    others = {asset: rule for asset, rule in calibration.overrides.items() if asset not in own}
-    return dataclasses.replace(calibration, overrides={**own, **others})
+    if not own:
+        return calibration
+    others = {asset: rule for asset, rule in cases.items() if asset not in own}
+    reference = () if calibration.pool is None else ("*",)
+    return dataclasses.replace(calibration, overrides={**own, **others}, reference=reference)
 
 
 def number_of(asset: str, patterns: Sequence[str]) -> int:
@@ -356,7 +363,8 @@ _RESULT = columns(
     (COUNT, "sees sees_half_stroke sees_frozen sees_faster sees_slower"),
     (WORD, "would_not_see blind_reason"),
     (COUNT, "vouched_by"),
-    (WORD, "only_teacher"),
+    (WORD, "taught_by"),
+    (SHARE, "member_floor"),
     (SHARE, "floor floor_sd floor_max"),
     (COUNT, "vectors cells blocks finest_bins vectors_needed"),
     (SHARE, "hi_limit"),

@@ -82,6 +82,7 @@ def status(
       ``sees_faster`` (3/2), ``sees_slower`` (2/3): 1, 0, or NULL where it could not be tried;
       ``would_not_see``: what of these it would not, in words; ``blind_reason``: range, blocks, cells or
       delay where the verdict is blind
+    * ``vouched_by``, ``taught_by``, ``member_floor``: of a pool, as :func:`gam_db.support` has them
     * ``bins``: per axis of its grid, as found where they were left to be
     * ``trend``: ``hi`` less the one a window earlier, (``novel_in_window`` - ``novel_window_before``) /
       ``window``, so that no vector is in both; NULL until two windows are scored
@@ -307,7 +308,8 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
         (COUNT, "sees sees_half_stroke sees_frozen sees_faster sees_slower"),
         (WORD, "would_not_see blind_reason"),
         (COUNT, "vouched_by"),
-        (WORD, "only_teacher"),
+        (WORD, "taught_by"),
+        (SHARE, "member_floor"),
         (COUNT, "novel_in_window novel_window_before window bins"),
         *((pa.list_(SHARE), "course"), (time, "course_from"), (COUNT, "scored")),
         *((time, "last_time last_data"), (TRUTH, "silent"), (time, "still_since")),

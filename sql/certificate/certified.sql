@@ -5,7 +5,8 @@
 --         changes is NULL where none could be tried.
 -- Slots:  :would_not_see  the expression of probe/would_not_see.sql
 --         :blind_reason   that of probe/blind_reason.sql
---         :vouched        by how many machines of its pool it is vouched for, and by which alone; NULL without pools
+--         :vouched        by how many machines of its pool it is vouched for, which taught, and the floor by leaving out
+--                         one of them after another; NULL without pools
 SELECT
   channel_id,
   CASE WHEN blind_reason IS NULL THEN certificate ELSE 'blind' END AS verdict,
@@ -29,7 +30,8 @@ SELECT
   would_not_see,
   blind_reason,
   vouched_by,
-  only_teacher
+  taught_by,
+  member_floor
 FROM (
   SELECT
     learnt.channel_id AS channel_id,

@@ -1,6 +1,7 @@
 -- Vouched verdicts: the verdicts, of a member that taught nothing by what the others say of it (both sides, section 6).
 -- Reads:  verdicts, bounds, member_sizes, vouching
--- A row:  one channel; vouched_by counts the machines that taught, NULL where it is one of them or nobody did.
+-- A row:  one channel; vouched_by counts the machines that taught, NULL where it is one of them or nobody did. taught_by
+--         names them to all members of a pool; member_floor is the floor by leaving out one of them after another.
 SELECT
   learnt.channel_id AS channel_id,
   CASE WHEN others.hit = 1 THEN others.verdict ELSE learnt.verdict END AS verdict,
@@ -17,7 +18,8 @@ SELECT
     ELSE learnt.vectors_needed
   END AS vectors_needed,
   CASE WHEN others.hit = 1 THEN others.teachers END AS vouched_by,
-  CASE WHEN others.hit = 1 AND others.teachers = 1 THEN others.only_teacher END AS only_teacher
+  CASE WHEN pool.hit = 1 THEN pool.taught_by END AS taught_by,
+  CASE WHEN pool.hit = 1 THEN pool.member_floor END AS member_floor
 FROM verdicts AS learnt
 LEFT JOIN (
   SELECT
@@ -28,7 +30,6 @@ LEFT JOIN (
     says.floor_max AS floor_max,
     says.finest_bins AS finest_bins,
     says.teachers AS teachers,
-    says.only_teacher AS only_teacher,
     1 AS hit
   FROM bounds AS scale
   JOIN vouching AS says ON says.support_id = scale.support_id
@@ -38,3 +39,8 @@ LEFT JOIN (
   ) AS taught ON taught.channel_id = scale.channel_id
   WHERE CASE WHEN taught.hit = 1 THEN 1 ELSE 0 END < 1
 ) AS others ON others.channel_id = learnt.channel_id
+LEFT JOIN (
+  SELECT scale.channel_id AS channel_id, says.taught_by AS taught_by, says.floor AS member_floor, 1 AS hit
+  FROM bounds AS scale
+  JOIN vouching AS says ON says.support_id = scale.support_id
+) AS pool ON pool.channel_id = learnt.channel_id

@@ -21,6 +21,7 @@ SELECT
   learnt.would_not_see AS would_not_see,
   learnt.blind_reason AS blind_reason,
   learnt.teachers AS vouched_by,
-  learnt.only_teacher AS only_teacher
+  learnt.taught_by AS taught_by,
+  learnt.member_floor AS member_floor
 FROM stored_channel AS known
 JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id

@@ -44,7 +44,12 @@ SELECT
   learnt.would_not_see AS would_not_see,
   learnt.blind_reason AS blind_reason,
   learnt.vouched_by AS vouched_by,
-  learnt.only_teacher AS only_teacher
+  learnt.taught_by AS taught_by,
+  learnt.member_floor AS member_floor,
+  CASE
+    WHEN learnt.vouched_by = 1 THEN 'not vouched: only ' || learnt.taught_by || ' taught'
+    WHEN learnt.vouched_by > 1 THEN 'judged by ' || learnt.taught_by || '; of itself nothing is known'
+  END AS vouching
 FROM stored_channel AS known
 JOIN certified AS learnt ON learnt.channel_id = known.channel_id
 JOIN judged AS made ON made.channel_id = known.channel_id

@@ -26,7 +26,8 @@ SELECT
   learnt.would_not_see AS would_not_see,
   learnt.blind_reason AS blind_reason,
   CASE WHEN others.hit = 1 THEN learnt.teachers END AS vouched_by,
-  CASE WHEN others.hit = 1 THEN learnt.only_teacher END AS only_teacher
+  learnt.taught_by AS taught_by,
+  learnt.member_floor AS member_floor
 FROM stored_channel AS known
 JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
 LEFT JOIN (

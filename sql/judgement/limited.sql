@@ -25,7 +25,8 @@ SELECT
   learnt.would_not_see AS would_not_see,
   learnt.blind_reason AS blind_reason,
   learnt.vouched_by AS vouched_by,
-  learnt.only_teacher AS only_teacher,
+  learnt.taught_by AS taught_by,
+  learnt.member_floor AS member_floor,
   :hi_limit AS hi_limit,
   :limit_reason AS limit_reason
 FROM certified AS learnt

@@ -89,7 +89,7 @@ def test_the_first_set_names_tests_that_there_are() -> None:
 @pytest.mark.parametrize(
     ("address", "fixture", "engine", "named", "later"),
     [
-        ("method/test_spec.py::test_cases[spark-28 cases: m=1]", "engine", "spark", "group", False),
+        ("method/test_spec.py::test_cases[spark-30 cases: m=1]", "engine", "spark", "group", False),
         ("method/test_spec.py::test_cases[spark-9 cases: m=2]", "engine", "spark", "group", True),
         ("method/test_spec.py::test_cases[mariadb-9 cases: m=2]", "engine", "mariadb", "group", False),
         ("method/test_wide.py::test_wide[mariadb]", "engine", "mariadb", "group", True),

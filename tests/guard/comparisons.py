@@ -62,13 +62,12 @@ def _marks(
     """Yield what tells each channel: its series, what applies to it, and what its pool learnt from."""
     final = _series(rows)
     learnt = final if first is None else _series(first)
-    groups = [["*"]] if calibration.pool == "channel" else calibration.pool or []
+    groups = reference.groups_of(calibration)
     channels: list[tuple[bytes, Any]] = []
     pools: dict[Any, list[bytes]] = defaultdict(list)
     for (asset, name), series in learnt.items():
         settings = reference.settings_of(parameters, asset, name)
-        rules = [c for p, c in calibration.overrides.items() if reference.glob(p, asset)]
-        own = _rule(rules[0] if rules else calibration)
+        own = _rule(reference.rule_of(calibration, asset))
         number = next(
             (n for n, g in enumerate(groups) if any(reference.glob(p, asset) for p in g)), None
         )

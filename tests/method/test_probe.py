@@ -165,8 +165,8 @@ def members(teaching: int) -> tuple[list[Row], Any, Any]:
     rows: list[Row] = [
         (f"m{asset}", "x", i, stroke(i) + 25.0 * asset) for asset in range(4) for i in range(900)
     ]
-    silent = {f"m{asset}": gam_db.Calibration(intervals=[(2000, 2001)]) for asset in range(teaching, 4)}
-    calibration = gam_db.Calibration(intervals=[(0, 599)], pool=[["m*"]], overrides=silent)
+    reference = [f"m{asset}" for asset in range(teaching)]
+    calibration = gam_db.Calibration(intervals=[(0, 599)], pool=[["m*"]], reference=reference)
     return rows, gam_db.Parameters(m=2, tau=3, bins=8, window=60, target_floor=0.2), calibration
 
 
@@ -178,14 +178,18 @@ def test_members_that_taught_nothing(engine: str, teaching: int) -> None:
     with session.lent(harness.arrow(rows)) as table:
         found = gam_db.support(gam_db.Source(table.name), *method, session).to_pylist()
     harness.assert_same(reference.support(rows, *method), found)
-    told = {row["asset"]: (row["vouched_by"], row["only_teacher"], row["hi_limit"]) for row in found}
-    assert told["m0"][:2] == (None, None)
+    teachers = {1: "m0", 2: "m0 and m1", 4: "m0, m1 and 2 more"}[teaching]
+    assert {row["taught_by"] for row in found} == {teachers}
+    counts = [None] * teaching + [teaching] * (4 - teaching)
+    assert [row["vouched_by"] for row in found] == counts
     if teaching == 1:
-        assert {told[f"m{asset}"] for asset in (1, 2, 3)} == {(1, "m0", None)}
-        assert {row["verdict"] for row in found[1:]} == {"not_vouched"}
-    elif teaching == 2:
-        assert {told[f"m{asset}"][:2] for asset in (2, 3)} == {(2, None)}
-        assert found[2]["floor"] > found[0]["floor"]
+        assert {(row["verdict"], row["hi_limit"]) for row in found[1:]} == {("not_vouched", None)}
+        assert {row["member_floor"] for row in found} == {None}
+    else:
+        (member_floor,) = {row["member_floor"] for row in found}
+        assert member_floor > found[0]["floor"]
+    if teaching == 2:
+        assert found[2]["floor"] == member_floor
 
 
 @pytest.mark.parametrize("teaching", [1, 2])
@@ -199,10 +203,15 @@ def test_the_state_keeps_what_others_say(teaching: int) -> None:
         monitor = gam_db.Monitor(connection, gam_db.Source("telemetry"), *method)
         monitor.migrate()
         monitor.calibrate()
-        names = "verdict, floor, floor_max, finest_bins, vectors_needed, hi_limit, vouched_by, sees"
+        names = "verdict, floor, floor_max, finest_bins, vectors_needed, hi_limit, sees"
+        names += ", vouched_by, taught_by, member_floor"
         kept = connection.execute(f"SELECT {names} FROM gam_fleet ORDER BY asset").fetchall()
         assert kept == [
-            tuple(pytest.approx(row[name]) for name in names.split(", ")) for row in expected
+            tuple(
+                value if isinstance(value := row[name], str) else pytest.approx(value)
+                for name in names.split(", ")
+            )
+            for row in expected
         ]
         assert monitor.check_state().num_rows == 0
 

@@ -87,6 +87,7 @@ def test_counts(row: dict[str, str]) -> None:
         score_from=None,
         overrides={},
         pool=None,
+        reference=(),
     )
     (found,) = support(rows, parameters, calibration)
     scored = health_indicator(rows, parameters, calibration)

@@ -19,7 +19,7 @@ import harness
 import scripts
 
 FOLDER = Path(__file__).parents[1] / "spec"
-TEXTS = ("asset", "channel", "verdict")  # columns whose entries are words
+TEXTS = ("asset", "channel", "verdict", "taught_by")  # columns whose entries are words
 ENDINGS = re.compile(r"(-?\d+)\.\.(-?\d+)")
 
 
@@ -100,7 +100,7 @@ def entry(column: str, text: str) -> Any:
     if text == "NULL":
         return None
     if column in TEXTS:
-        return text
+        return text.replace("_", " ") if column == "taught_by" else text
     if column == "cell":
         return tuple(int(code) for code in text.split(","))
     if text.startswith("sqrt("):
@@ -141,6 +141,8 @@ def number(text: str) -> float:
 
 
 def of_rule(name: str, text: str) -> Any:
+    if name == "reference":
+        return text.split()
     if name in ("intervals", "exclude"):
         return [(int(start), int(end)) for start, end in ENDINGS.findall(text)]
     if name == "pool":

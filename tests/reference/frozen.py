@@ -48,8 +48,7 @@ def channels(
 
 def resolved(calibration: Any, channel: Channel) -> list[tuple[float, float]]:
     """Return the closed intervals of time that calibration means for a channel, once and for all."""
-    patterns = calibration.overrides.items()
-    own = next((c for p, c in patterns if reference.glob(p, channel.asset)), calibration)
+    own = reference.rule_of(calibration, channel.asset)
     if own is None or channel.end is None:
         return []
     declared = [(channel.times[0], channel.end)] if own.intervals is None else own.intervals

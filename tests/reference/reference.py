@@ -14,6 +14,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from functools import cache
 from itertools import pairwise
 from typing import Any
 
@@ -162,12 +163,49 @@ def program_order(program: Any) -> Any:
     return program.encode() if isinstance(program, str) else program
 
 
+def rule_of(calibration: Any, asset: str) -> Any:
+    """Section 4: the rule of a machine, or None for a machine that teaches nothing.
+
+    Its own rule, if it has one; else the general one. That does not teach a machine of a pool in which
+    others are named as healthy: by a rule of their own that is not empty, or as a reference.
+    """
+    rules = list(calibration.overrides.items())
+    own = [rule for pattern, rule in rules if glob(pattern, asset)]
+    if own:
+        return own[0]
+    references = calibration.reference
+    references = [references] if isinstance(references, str) else list(references)
+    if any(glob(pattern, asset) for pattern in references):
+        return calibration
+    pool = next((g for g in groups_of(calibration) if any(glob(p, asset) for p in g)), [])
+    healthy = [p for p, rule in rules if rule is not None and list(rule.intervals or [()]) != []]
+    named = any(meet(p, member) for p in healthy + references for member in pool)
+    return None if named else calibration
+
+
+def groups_of(calibration: Any) -> list[list[str]]:
+    """Section 4: the groups of patterns that make a pool each."""
+    groups = calibration.pool or []
+    return [["*"]] if groups == "channel" else [[g] if isinstance(g, str) else list(g) for g in groups]
+
+
+@cache
+def meet(one: str, other: str) -> bool:
+    """Is there a name of both patterns? By the first sign of each; a star ends, or takes one more."""
+    if not one or not other:
+        return set(one + other) <= {"*"}
+    if one[0] == "*":
+        return meet(one[1:], other) or meet(one, other[1:])
+    if other[0] == "*":
+        return meet(other, one)
+    return (one[0] == other[0] or "?" in (one[0], other[0])) and meet(one[1:], other[1:])
+
+
 def calibrated(
     calibration: Any, asset: str, times: list[int]
 ) -> tuple[list[bool], int | None, int | None]:
     """Section 4: which samples are calibration, when it ends, from when to score."""
-    matching = [c for pattern, c in calibration.overrides.items() if glob(pattern, asset)]
-    own = matching[0] if matching else calibration
+    own = rule_of(calibration, asset)
     if own is None:
         return [False] * len(times), None, None
     if own.fraction is not None:
@@ -380,9 +418,7 @@ def opened(rows: Rows, parameters: Any, calibration: Any) -> tuple[Pairs, list[P
         found.setdefault((asset, name), []).append((time, value))
         for one in program:
             told.setdefault((asset, name), []).append((time, value, one))
-    groups = calibration.pool or []
-    if groups == "channel":
-        groups = [["*"]]
+    groups = groups_of(calibration)
     pools: dict[tuple[object, ...], Pool] = {}
     pairs = []
     for asset, name in sorted(found):
@@ -579,21 +615,31 @@ def of_machines(pool: Pool) -> dict[str, Any]:
         said["vectors_needed"] = None
     if len(teachers) == 1:
         nothing = dict.fromkeys(("floor", "floor_sd", "floor_max", "finest_bins", "vectors_needed"))
-        said |= nothing | {"only_teacher": teachers[0].asset}
+        said |= nothing
         if said["verdict"] != "constant":
             said["verdict"] = "not_vouched"
     return said
 
 
+def taught_by(pool: Pool) -> str:
+    """Both sides, section 6: the machines that taught a pool, the first two of more than three."""
+    *first, last = [member.asset for member in pool.members if member.learnt]
+    if len(first) > 2:
+        first, last = first[:2], f"{len(first) - 1} more"
+    return f"{', '.join(first)} and {last}" if first else last
+
+
 def certified(channel: Channel, pool: Pool) -> dict[str, Any]:
     """Section 5 and both sides, sections 3 and 6: the verdict with what the indicator would show."""
-    nobody = {"vouched_by": None, "only_teacher": None}
-    said = standard = judgement(pool) | nobody
-    if pool.keys and not all(member.learnt for member in pool.members):
-        others = nobody | of_machines(pool)
-        standard = said if others["vouched_by"] == 1 else others
-        said = said if channel.learnt else others
-    return said | probe_reference.sight(pool, said["verdict"], standard)
+    said = standard = judgement(pool) | {"vouched_by": None}
+    whose: dict[str, Any] = {"taught_by": None, "member_floor": None}
+    if pool.keys and len(pool.members) > 1:
+        others = of_machines(pool)
+        whose = {"taught_by": taught_by(pool), "member_floor": others["floor"]}
+        if not all(member.learnt for member in pool.members):
+            standard = said if others["vouched_by"] == 1 else others
+            said = said if channel.learnt else others
+    return said | whose | probe_reference.sight(pool, said["verdict"], standard)
 
 
 NO_LIMIT = {

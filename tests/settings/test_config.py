@@ -351,6 +351,7 @@ GIVEN: dict[str, tuple[tuple[str, ...], Any]] = {
     "exclude": (("--exclude", "3/4"), [("3", "4")]),
     "score_from": (("--score-from", "40"), "40"),
     "pool": (("--pool", "a*,b", "--pool", "c"), [["a*", "b"], ["c"]]),
+    "reference": (("--reference", "a*", "--reference", "b"), ["a*", "b"]),
 }
 
 

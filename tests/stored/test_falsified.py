@@ -138,7 +138,7 @@ def columns() -> Iterator[tuple[str, str, bool]]:
 
 #: Columns of text that may be NULL.
 TEXTS = (
-    *("reason", "would_not_see", "blind_reason", "only_teacher", "member_verdict"),
+    *("reason", "would_not_see", "blind_reason", "taught_by", "member_verdict"),
     *("program", "program_column"),
 )
 
@@ -354,7 +354,7 @@ def find_all(engine: str) -> None:
             ("bounds", f"{column} IS NULL")
             for column in (
                 *("lowest_dropped", "highest_dropped", "sees_slower", "would_not_see", "blind_reason"),
-                *("teachers", "only_teacher", "member_verdict", "member_floor", "member_floor_sd"),
+                *("teachers", "taught_by", "member_verdict", "member_floor", "member_floor_sd"),
                 *("member_floor_max", "member_finest_bins"),
             )
         ),

@@ -38,8 +38,14 @@ def sets_of(parameters: Arguments) -> list[Arguments]:
 
 def rules_of(calibration: Arguments) -> list[tuple[str, Arguments | None]]:
     """Return the rules of a case with the pattern of each: the first that matches applies."""
-    general = {name: value for name, value in calibration.items() if name not in ("overrides", "pool")}
-    return [*calibration.get("overrides", {}).items(), ("*", general)]
+    apart = ("overrides", "pool", "reference")
+    general = {name: value for name, value in calibration.items() if name not in apart}
+    of, own = harness.made({}, calibration)[1], calibration.get("overrides", {})
+    rules = [
+        (pattern, None if rule is None else general if rule is of else own[pattern])
+        for pattern, rule in of.cases
+    ]
+    return rules if "*" in dict(rules) else [*rules, ("*", general)]
 
 
 class Gathered:
@@ -68,7 +74,9 @@ class Gathered:
         general = {name: sets[0][name] for name in USUAL}
         apart = [one for one in sets if any(one[name] != value for name, value in general.items())]
         self.parameters, self.calibration = harness.made(
-            {**general, "overrides": sets if apart else []}, {"overrides": rules, "pool": pool or None}
+            {**general, "overrides": sets if apart else []},
+            # Rules say of each machine what it teaches: here none is there because another is named.
+            {"overrides": rules, "pool": pool or None, "reference": ["*"] if pool else []},
         )
 
     def answers(self, found: Mapping[str, harness.Answer], name: str) -> dict[str, harness.Answer]:
@@ -77,8 +85,8 @@ class Gathered:
         return {
             question: [
                 {
-                    name: value.removeprefix(prefix)
-                    if name in ("asset", "only_teacher") and value
+                    name: value.replace(prefix, "")
+                    if name in ("asset", "taught_by") and value
                     else value
                     for name, value in row.items()
                 }

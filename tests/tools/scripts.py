@@ -90,7 +90,7 @@ def check_judged(found: dict[str, Answer]) -> None:
         row.setdefault("dropped_above", 0)
         row.setdefault("lowest_dropped", None)
         row.setdefault("highest_dropped", None)
-        for name in ("vouched_by", "only_teacher"):
+        for name in ("vouched_by", "taught_by", "member_floor"):
             row.setdefault(name, None)
     known = {(row["asset"], row["channel"]): row for row in found["support"]}
     for row in found["health_indicator"]:

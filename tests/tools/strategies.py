@@ -148,6 +148,8 @@ def calibrations(draw: st.DrawFn) -> Arguments:
         answer["overrides"][pattern] = None if without else draw(calibration_of_one())
     pools = ["channel", [["?1"], ["*"]], [["[a]*", "A?"], ["a*", "b%"]], [["a_1", "a1"]]]
     answer["pool"] = draw(st.one_of(st.none(), st.sampled_from(pools)))
+    references = [["*"], ["?1"], ["nobody"], ["a1", "b%"]]
+    answer["reference"] = [] if answer["pool"] is None else draw(often([[]], references))
     return answer
 
 

@@ -279,19 +279,23 @@ class _Check:
                 self.leave(key, "scored", NEXT_RUN, since=end)
 
     def taught(self, versions: Iterable[Row]) -> list[Row]:
-        """Return the versions whose calibration can be learnt again, of supports that are in use."""
-        rows = [row for row in versions if row["calibration_end"] is not None and row["lo"] is not None]
+        """Return the versions whose calibration can be learnt again, of supports that are in use.
+
+        With them come those that taught their pool nothing: what is said of these is compared as well.
+        """
+        rows = [row for row in versions if row["lo"] is not None]
         used = {row["support_id"] for row in rows if row["is_active"]}
         found: list[Row] = []
         for support, pool in by("support_id", rows).items():
-            edges = [self.edges.get(name_of(row), {}).get("earliest") for row in pool]
-            if support not in used:
+            teachers = [row for row in pool if row["calibration_end"] is not None]
+            edges = [self.edges.get(name_of(row), {}).get("earliest") for row in teachers]
+            if support not in used or not teachers:
                 continue
             if any(
                 oldest is None or (row["taught_from"] is not None and oldest > row["taught_from"])
-                for row, oldest in zip(pool, edges, strict=True)
+                for row, oldest in zip(teachers, edges, strict=True)
             ):
-                for row, oldest in zip(pool, edges, strict=True):
+                for row, oldest in zip(teachers, edges, strict=True):
                     self.leave(row["version_id"], "calibration", GONE, until=oldest)
             else:
                 found += pool
@@ -307,7 +311,8 @@ class _Check:
         lost = {
             row["support_id"]
             for row in group
-            if _lacks_first(
+            if row["calibration_end"] is not None
+            and _lacks_first(
                 row, counted.get(row["version_id"], {}), self.edges[name_of(row)]["earliest"]
             )
         }
@@ -316,6 +321,8 @@ class _Check:
             found = counted.get(key, {}).get("calibration_readings", 0)
             said = {**words.get(row["support_id"], {}), **words.get(key, {})}
             if row["support_id"] in lost:
+                if row["calibration_end"] is None:
+                    continue
                 self.leave(key, "calibration", GONE, until=self.edges[name_of(row)]["earliest"])
             elif found != then or said:
                 what = ", ".join(f"{part} ({count:,})" for part, count in said.items()) or None

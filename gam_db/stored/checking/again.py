@@ -127,7 +127,7 @@ class Again:
             group[0]["least_vectors"] or 1,
             bool(group[0]["is_robust"]),
         )
-        ends = [row["calibration_end"] for row in group]
+        ends = [LONG_AGO if (end := row["calibration_end"]) is None else end for row in group]
         steps = learning_steps(setting, self.reader.kind, *learning, has_pools)
         with self._running(steps) as running:
             cohort = cohort_of(members, read_from=LONG_AGO, read_until=ends, first_bucket=0)

@@ -1,6 +1,7 @@
 -- Bounds rows: range and certificate of each new support; members of a pool share theirs.
 -- Reads:  bounds, certified, numbering
--- A row:  one support; member_... is the certificate of members that taught nothing, NULL where there are none.
+-- A row:  one support; member_... is the certificate of members that taught nothing, NULL where there are none, but for
+--         member_floor, which is there where two taught.
 SELECT
   numbered.stored_support_id AS support_id,
   scale.calibrated_lo AS calibrated_lo,
@@ -30,9 +31,9 @@ SELECT
   judged.would_not_see AS would_not_see,
   judged.blind_reason AS blind_reason,
   CASE WHEN others.hit = 1 THEN others.vouched_by END AS teachers,
-  CASE WHEN others.hit = 1 THEN others.only_teacher END AS only_teacher,
+  judged.taught_by AS taught_by,
   CASE WHEN others.hit = 1 THEN others.verdict END AS member_verdict,
-  CASE WHEN others.hit = 1 THEN others.floor END AS member_floor,
+  judged.member_floor AS member_floor,
   CASE WHEN others.hit = 1 THEN others.floor_sd END AS member_floor_sd,
   CASE WHEN others.hit = 1 THEN others.floor_max END AS member_floor_max,
   CASE WHEN others.hit = 1 THEN others.finest_bins END AS member_finest_bins
@@ -52,9 +53,7 @@ LEFT JOIN (
   SELECT
     channel_id,
     vouched_by,
-    only_teacher,
     verdict,
-    floor,
     floor_sd,
     floor_max,
     finest_bins,

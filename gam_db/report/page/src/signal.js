@@ -61,6 +61,7 @@ function facts(signal) {
     fact(share(signal.hi), `indicator now: share of new states in the last ${whole.format(signal.window)} scored`),
     fact(share(signal.limit), signal.limit == null ? 'no limit: nothing to judge by' : `limit of the indicator: the most that healthy data lets expect${signal.by === 'episode' ? '; this signal is judged by its episodes' : ''}`),
     fact(share(signal.floor), 'floor: what a healthy machine would show'),
+    ...signal.machineFloor == null ? [] : [fact(share(signal.machineFloor), `floor by leaving one machine out; taught by ${signal.teachers}`)],
     fact(signal.sees == null ? '–' : `${signal.sees} %`, 'the smallest shift of its usual range that the indicator would show, if the machine works as in calibration'),
     fact(percent(signal.outside), 'of the new states lie outside the calibrated range'),
     fact(signal.low == null ? '–' : `${reading(signal.low)} … ${reading(signal.high)}`, 'calibrated range'),

@@ -81,7 +81,7 @@ export function unjudged(signal) {
     case 'constant': return ['it did not move while it was calibrated', 'it never raises an alarm; calibrate it over a time in which it moves'];
     case 'no_data': return ['no usable reading in calibration', 'look at the calibration interval and at missing values'];
     case 'too_fine': return ['the grid is too fine for this little calibration', signal.finest ? `take --bins ${signal.finest} or fewer, or calibrate longer` : 'calibrate longer'];
-    case 'not_vouched': return ['only one machine of its pool taught', 'name more of its machines as healthy'];
+    case 'not_vouched': return [signal.vouching, 'name more machines of its pool as healthy'];
     case 'needs_data': return ['calibration is too short', signal.needed ? `about ${whole.format(signal.needed)} more vectors are needed` : 'calibrate longer'];
     default: return ['no full window is scored yet', `wait for ${whole.format(signal.window)} scored readings`];
   }
@@ -93,17 +93,20 @@ export const judgedBy = signal => signal.by === 'episode' ? `episode ${signal.ep
 /** What of a frozen sensor, half a stroke and another speed a signal would not show. */
 const unseen = signal => signal.unseen ? `; would not see ${signal.unseen}` : '';
 
+/** By which machines a signal is judged that taught its pool nothing; nothing of one that is not judged. */
+const vouched = signal => signal.vouching && signal.verdict !== 'not_vouched' ? `; ${signal.vouching}` : '';
+
 /** What is to be said of a signal in a line. */
 export function brief(signal) {
   const silent = signal.silent == null ? '' : ` · silent for ${lasting(signal.silent)}`;
   if (!signal.judged) return `not judged: ${unjudged(signal)[0]}${silent}`;
-  if (signal.above) return `${since(signal, shortly)}${sideShort(signal.outside)}, ${judgedBy(signal)}${silent}`;
-  return (signal.over ? 'indicator above its limit, no episode so far' : signal.rising ? 'below its limit, and rising' : `as in calibration${unseen(signal)}`) + silent;
+  if (signal.above) return `${since(signal, shortly)}${sideShort(signal.outside)}, ${judgedBy(signal)}${vouched(signal)}${silent}`;
+  return (signal.over ? 'indicator above its limit, no episode so far' : signal.rising ? 'below its limit, and rising' : `as in calibration${unseen(signal)}`) + vouched(signal) + silent;
 }
 
 export function sentence(signal) {
   if (!signal.judged) { const [why, what] = unjudged(signal); return `${why}; ${what}.`; }
-  if (signal.above) return `goes where it never went in health ${since(signal)}, and is above its limit (${judgedBy(signal)}); its new states lie ${side(signal.outside) || 'in range'}.`;
-  if (signal.over) return 'its indicator is above its limit, and no episode opened so far.';
-  return signal.rising ? 'below its limit, and rising.' : `moves as it did in calibration${unseen(signal)}.`;
+  if (signal.above) return `goes where it never went in health ${since(signal)}, and is above its limit (${judgedBy(signal)}); its new states lie ${side(signal.outside) || 'in range'}${vouched(signal)}.`;
+  if (signal.over) return `its indicator is above its limit, and no episode opened so far${vouched(signal)}.`;
+  return signal.rising ? `below its limit, and rising${vouched(signal)}.` : `moves as it did in calibration${unseen(signal)}${vouched(signal)}.`;
 }
