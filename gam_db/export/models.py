@@ -374,6 +374,6 @@ def left_out(of: Modelled) -> set[str]:
     if not is_robust(of.method.settings[0]):
         absent |= set(DROPPED)
     if not of.method.pools:
-        absent |= {"teachers", "vouched_by", "only_teacher"}
+        absent |= {"teachers", "vouched_by", "taught_by", "vouching"}
         absent |= {f"member_{name}" for name in _MEMBER}
     return absent

@@ -20,7 +20,8 @@ SELECT
       THEN CAST(made.novel_in_window AS DOUBLE) / CAST(made.window_length AS DOUBLE)
   END AS hi,
   learnt.verdict AS verdict,
-  learnt.hi_limit AS hi_limit
+  learnt.hi_limit AS hi_limit,
+  learnt.taught_by AS taught_by
 FROM stored_bucket AS made
 JOIN stored_channel AS known ON known.channel_id = made.channel_id
 JOIN certified AS learnt ON learnt.channel_id = known.channel_id
