@@ -48,7 +48,7 @@ _CHANGES = {
 }
 
 #: What is known of a channel on the way only.
-_INNER = ("behind", "still_tick", "has_limit", "raised", "asks")
+_INNER = ("behind", "still_tick", "has_limit", "raised", "asks", "sure", "since_tick")
 
 #: What the other columns of a support row say is a count or a share; these are read by name here.
 Row = dict[str, Any]

@@ -135,7 +135,8 @@ COMMENT ON COLUMN stored_alarm.status
   IS 'open: it goes on; ended; merged: a part of merged_into; withdrawn: data that came later took it back; recalibrated: ended by a new calibration';
 COMMENT ON COLUMN stored_alarm.is_proving
   IS '1 if it opened within as many judgements as calibration has blocks: it asks for a decision; else 0';
-COMMENT ON COLUMN stored_alarm.told_as IS 'proving while it asks for that decision, else its status';
+COMMENT ON COLUMN stored_alarm.told_as
+  IS 'proving while it asks for that decision, high while it is open and its indicator opened it, else its status';
 COMMENT ON COLUMN stored_alarm.needs_attention
   IS '1 if somebody should look at it, as of the newest run; else 0';
 COMMENT ON COLUMN stored_alarm.label
@@ -160,7 +161,7 @@ COMMENT ON COLUMN stored_alarm.last_judgement IS 'Number of its last open one';
 COMMENT ON COLUMN stored_alarm.evidence IS 'The highest evidence in it: how sure';
 COMMENT ON COLUMN stored_alarm.height IS 'Evidence that opened it';
 COMMENT ON COLUMN stored_alarm.basis
-  IS 'What the rate of false alarms rests on: replay, extrapolated, table, drifting or none';
+  IS 'What the rate of false alarms rests on: replay, extrapolated, table, drifting or none; indicator: it has no limit of judgements, and no rate can be stated';
 COMMENT ON COLUMN stored_alarm.asked IS 'The false alarms that were asked for';
 COMMENT ON COLUMN stored_alarm.stated_rate
   IS 'False alarms that its limit is for, per judgement; NULL where none can be stated';
@@ -306,7 +307,7 @@ LEFT JOIN (
       own.g AS g,
       CAST(ROW_NUMBER() OVER (PARTITION BY own.version_id ORDER BY own.limit_no DESC) AS BIGINT) AS limits_back
     FROM stored_limit AS own
-    WHERE own.reason IS NULL
+    WHERE own.height IS NOT NULL
   ) AS limited ON limited.version_id = part.version_id AND limited.g = part.g
   WHERE limited.limits_back = 1
 ) AS taught ON taught.version_id = told.version_id AND taught.band = told.band;

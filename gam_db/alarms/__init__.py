@@ -33,6 +33,9 @@ _ORDERED_BLOCKS, _DRIFTING_BLOCKS = 18, 40
 _UNREPRESENTATIVE, _UNLIKE, _DRIFTING = 1500, 1100, 1050
 _LARGEST_EXTENT = 3_000_000_000
 
+#: Why a channel is not judged whose calibration is no fair sample of what follows.
+UNREPRESENTATIVE = "unrepresentative"
+
 Row = dict[str, Any]
 
 
@@ -153,8 +156,12 @@ def _judged(study: Study, alarms: Alarms | None, step: str) -> pa.Table:
 
 
 def judge(study: Study, rows: Sequence[Row]) -> list[Row]:
-    """Let a study judge by limits, as :func:`limits_of` returns them; return those that there are."""
-    frozen = [row for row in rows if row["reason"] is None]
+    """Let a study judge by limits, as :func:`limits_of` returns them; return those that judged.
+
+    A channel without a limit of judgements is judged by its indicator, where that has a limit.
+    """
+    judging = [row for row in rows if row["reason"] is None or row.get("basis") == "indicator"]
+    frozen = [{**row, "blocks": 0} if row["reason"] is not None else row for row in judging]
     study.load("frozen_limits", table_of(frozen, FROZEN))
     add_judgements(study.steps, study.method, study.instant_of)
     return frozen
@@ -222,7 +229,22 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
         row["family"] = row["family_no"]
         if row["reason"] is not None:
             row |= {"centre": None, "spread": None}
+            if row["hi_limit"] is not None and row["reason"] != UNREPRESENTATIVE:
+                row |= indicated(row["hi_limit"], row["window_length"])
     return near
+
+
+def indicated(hi_limit: float, window: int) -> Row:
+    """Return what judges a channel by its indicator, where its judgements have no limit.
+
+    A window is raised where more of its W vectors are novel than hi_limit W, and opens an episode at
+    once: no other height is 1. No rate can be stated.
+    """
+    count = math.floor(hi_limit * window)
+    count += (count + 1) / window <= hi_limit
+    count -= count / window > hi_limit
+    root = math.floor(math.sqrt(1_000_000 * count + 375_000))
+    return {"reference": root, "height": 1, "cap": 1, "basis": "indicator"}
 
 
 def day_of(kind: TimeKind) -> int | None:
@@ -248,7 +270,7 @@ def _reason(row: Row, day: int | None) -> str | None:
     if row["blocks"] * row["extent"] > _LARGEST_EXTENT:
         return "counts of calibration too far apart"
     if row["blocks"] >= _ORDERED_BLOCKS and row["order_ratio"] > _UNREPRESENTATIVE:
-        return "unrepresentative"
+        return UNREPRESENTATIVE
     if day is not None and row["judgements_per_day"] is None:
         return "calibration has no length"
     return None

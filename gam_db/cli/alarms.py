@@ -25,7 +25,7 @@ from gam_db.stored.state import kind_of
 _SHOWN = 20
 
 _KINDS = ", ".join(stored.KINDS)
-_MARKS = {"proving": "?", "open": "!"}
+_MARKS = {"proving": "?", "open": "!", "high": "!"}
 _RATES = ("stated", "seen", "lower", "upper", "resampled_lower", "resampled_upper")
 
 
@@ -268,7 +268,7 @@ def _show_episodes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> N
         "channel": page.name_in(rows),
         "status": "status",
         **page.when("since", "since", rows, shown_in),
-        "sure": lambda row: f"{row['sure']:.1f}",
+        "sure": lambda row: None if row["sure"] is None else f"{row['sure']:.1f}",
         "basis, per 1,000": rate,
         "open of machine": "signals_open",
         "label": lambda row: row["label"] or "",

@@ -67,8 +67,8 @@ def status(
     A row is one channel under its active version:
 
     * ``asset``, ``channel``, ``version``: its names, and which calibration it is (1, 2, ...)
-    * ``status``: proving or open (as its episode is), high (judged by its indicator, which is above
-      ``hi_limit``), setup (the calibration is not good enough to be watched, or unrepresentative),
+    * ``status``: proving or open (as its episode is), high (its indicator opened the episode, as its
+      judgements have no limit), labelled (that episode is a false alarm or a new program), setup (the calibration is not good enough to be watched, or unrepresentative),
       waiting (less than a window is scored), blind (below its limit, but no shift of its machine would
       show), ok, standing (it would be one of these three, and the signal stands still) or not assessed
       (constant in calibration, or without one: never an alarm);
@@ -103,7 +103,10 @@ def status(
       0: fewer); NULL if they were not counted again
     * ``judged_by``: episode, where calibration gave a limit of judgements, else indicator; NULL where
       nothing judges it; ``episode``: its open one, or that which asks; ``asking``: how many do;
-      ``onset``: since when it is proving, open or high; NULL where it is none of these
+      ``onset``: since when it is proving, open or high; NULL where it is none of these; ``label``: what
+      people said last of that episode
+    * ``is_far_above``: 1 where ``hi`` is at ten times ``hi_limit`` or more, whatever the status, else 0;
+      ``strength``: of what is above, the highest evidence over the height, or ``hi`` / ``hi_limit``
     * ``settings_hash``, ``method_hash``: what the version was made under
     * ``remarks``: what is to be known, in plain words; what is wrong with data is in
       :meth:`gam_db.Monitor.data_problems`
@@ -313,7 +316,8 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
         *((time, "last_time last_data"), (TRUTH, "silent"), (time, "still_since")),
         *((pa.timestamp("us"), "looked_at"), (COUNT, "differing_contexts"), (time, "repair_from")),
         *((COUNT, "calibration_rows calibration_rows_added"), (WORD, "judged_by")),
-        *((COUNT, "episode asking"), (time, "onset"), (WORD, "settings_hash method_hash")),
+        *((COUNT, "episode asking"), (time, "onset"), (WORD, "label"), (COUNT, "is_far_above")),
+        *((SHARE, "strength"), (WORD, "settings_hash method_hash")),
         (pa.list_(WORD), "remarks"),
     )
     found = {

@@ -332,7 +332,7 @@ def test_the_view_of_the_state_judges_by_the_same_file() -> None:
     verdict = exp.column("verdict", table="learnt")
     assert rows["limit_reason"] == template.fill("judgement/limit_reason", {"verdict": verdict})
     columns = [exp.column(name) for name in rows]
-    known = {name: exp.column(name) for name in ("hi", "has_limit", "raised", "asks")}
+    known = {name: exp.column(name) for name in ("hi", "has_limit", "raised", "label", "sure", "asks")}
     expected = filled("judgement/judged", {"columns": columns, **known})
     (table,) = expected.find_all(exp.Table)
     table.replace(assessed.copy())

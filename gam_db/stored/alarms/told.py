@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 import pyarrow as pa
 
+from gam_db.alarms import UNREPRESENTATIVE
 from gam_db.clock import Instant, TimeKind, instant, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.composing import template
@@ -33,18 +34,16 @@ KINDS = (*DECISIONS, *PAUSES)
 #: Decisions by which a machine was not as it is when healthy: no later calibration learns from that.
 UNHEALTHY = ("true_fault", "maintenance")
 
-#: Why there is no limit any more after a false alarm right after calibration.
-UNREPRESENTATIVE = "unrepresentative"
-
 
 def alarms(state: State, name: str) -> pa.Table:
     """Return the episodes of a monitor, those that need attention first.
 
     Returns:
         One row per episode: episode, asset, channel, status (proving: it opened right after calibration
-        and asks for a decision; open, ended, merged, withdrawn, recalibrated), needs_attention (as of
+        and asks for a decision; open; high: it is open, and its indicator opened it, since its judgements
+        have no limit; ended, merged, withdrawn, recalibrated), needs_attention (as of
         the newest run), since (when evidence left 0), opened, last_time, sure (highest evidence /
-        height), basis, stated_rate (per judgement; NULL where none can be stated), asked, signals_open
+        height; NULL where its indicator opened it), basis, stated_rate (per judgement; NULL where none can be stated), asked, signals_open
         (of the machine), group (the smallest number of the episodes of the machine that opened within
         two judgements of one another), signals_together (how many they are), label, label_until (UTC),
         note, merged_into, onset, first_judgement, last_judgement, evidence, height, seq. Times are as in
