@@ -4,7 +4,7 @@ import datetime as dt
 import os
 import re
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import entry_points
@@ -12,6 +12,7 @@ from itertools import takewhile
 from pathlib import Path
 from typing import Any, Literal
 
+import pyarrow.compute as pc
 from pyarrow import ArrowInvalid, parquet
 
 from gam_db.address import is_url
@@ -89,6 +90,10 @@ def run(
             if others is None:
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
+                names = {"signals": "channels", "since_tick": "since"}
+                ranked = study.table("machines").sort_by("machine_rank").to_pylist()
+                machines = [{names.get(of, of): one for of, one in row.items()} for row in ranked]
+                ended = study.table("episodes").filter(pc.field("is_open") == 0).to_pylist()
                 urgent = need_attention(found) or any(map(is_blind, found))
                 programs: list[Row] = []
                 if study.method.programs is not None:  # by way of Arrow: instants may have a zone
@@ -96,6 +101,8 @@ def run(
                 lacking = lack_data(found) or bool(of_programs.unjudged(programs))
                 told = {
                     "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
+                    "machines": machines,
+                    "ended_episodes": ended,
                     "verdicts": Counter(row["verdict"] for row in found),
                     "chosen": automatic.figures(study.siblings),
                     "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
@@ -103,6 +110,7 @@ def run(
                     **({} if study.method.programs is None else {"programs": programs}),
                 }
                 more = partial(show, everything=everything, siblings=study.siblings, programs=programs)
+                more = partial(more, machines=machines, ended=ended)
                 shows = partial(more, job=job, found=found, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
@@ -155,6 +163,8 @@ def show(
     shown_in: dt.tzinfo = dt.UTC,
     siblings: Sequence[Siblings] = (),
     programs: Sequence[Row] = (),
+    machines: Sequence[Row] = (),
+    ended: Sequence[Row] = (),
 ) -> None:
     """Print what was found of each channel, what calibration chose for siblings, and what it lacks."""
     samples = sum(row["samples"] for row in found)
@@ -165,11 +175,16 @@ def show(
     page.channels(out, shown, "last_time", "all that is scored", shown_in, everything)
     page.cut(out, found, everything, page.counted)
     out.print()
+    if len(machines) > 1:
+        page.machines(out, machines, shown_in, everything)
+    page.say(out, *_ended(ended if everything else ended[: options.SHOWN], shown_in))
+    page.cut(out, ended, everything, what=" episodes that ended")
     page.say(out, f"verdicts: {page.verdicts(found)}")
     judged = Counter(row["judged_by"] for row in found)
     by = [(said, judged[name]) for name, said in _JUDGED_BY if judged[name]]
     words = ", ".join(f"{said}: {count:,}" if len(by) > 1 else said for said, count in by)
     page.say(out, f"channels: {page.counted(found)}{f'; judged by {words}' if words else ''}")
+    page.say(out, *page.far_above(found))
     page.say(out, *page.unseen(found))
     lacking = of_programs.lines(programs)
     page.say(out, *(lacking if everything else lacking[: options.SHOWN]))
@@ -200,6 +215,15 @@ def show(
     if not (need_attention(found) or any(map(is_blind, found)) or lack_data(found) or lacking):
         page.say(out, "nothing needs attention")
     page.say(out, page.legend(found, everything))
+
+
+def _ended(rows: Sequence[Row], zone: dt.tzinfo) -> Iterator[str]:
+    """Yield a line for each episode that ended."""
+    name = page.name_in(rows)
+    for row in rows:
+        first, last = (page.time_text(row[of], zone) for of in ("onset_time", "last_time"))
+        proving = ", right after calibration" if row["is_proving"] else ""
+        yield f"episode that ended: {name(row)}, from {first} to {last}{proving}"
 
 
 #: Values of judged_by, and what they mean.

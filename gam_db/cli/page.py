@@ -35,7 +35,7 @@ PLAIN_BLOCKS = "_.,-=+*#"
 """The same scale, for a terminal that has no block characters."""
 
 MARKS = {"proving": "!", "open": "!", "high": "!", "setup": "?", "waiting": "~"}
-_STYLES = {"!": "bold red", "?": "yellow", "~": "cyan"}
+_STYLES = {"!": "bold red", "?": "yellow", "^": "yellow", "~": "cyan"}
 #: What pages say, by what it is of.
 WORDS: Mapping[str, Mapping[str, str]] = data.table("gam_db.cli", "words.toml")
 
@@ -48,6 +48,8 @@ _POINTS = 64
 """Points of a course at most, as the state keeps them."""
 _NAMED = 5
 """Channels that a remark names."""
+MACHINES = 20
+"""Machines shown unless all are asked for."""
 
 
 #: Where a page goes.
@@ -233,6 +235,7 @@ def channels(
         "HI": lambda row: share(assessed(row, "hi")),
         **({"trend": lambda row: rise(assessed(row, "trend"))} if rows and "trend" in rows[0] else {}),
         "HI, 0 to 1": lambda row: Course(() if assessed(row, "course") is None else row["course"]),
+        **(when("since", "onset", rows, zone) if any(row["onset"] is not None for row in rows) else {}),
         **when("last", time, rows, zone),
     }
     table(out, rows, columns, marked, ("verdict", "bins"), ("sees",))
@@ -247,6 +250,38 @@ def channels(
     remarks(out, ((name(row), row["remarks"]) for row in rows), everything)
 
 
+def machines(out: Console, rows: Sequence[Row], zone: dt.tzinfo, everything: bool) -> None:
+    """Print a line per machine: since when, how many signals, which of them."""
+    shown = rows if everything else rows[:MACHINES]
+    columns: dict[str, Cell] = {
+        "machine": lambda row: printable(row["asset"]),
+        "above, of watched": lambda row: f"{row['above']:,} of {row['watched']:,}",
+        **when("since", "since", shown, zone),
+        "first": lambda row: _named(row["first_channel"]),
+        "strongest": lambda row: _named(row["strongest_channel"]),
+        "times its limit": lambda row: None if row["strength"] is None else f"{row['strength']:.1f}",
+    }
+    for name in ("not_watched", "silent"):
+        if any(row.get(name) for row in shown):
+            columns[name.replace("_", " ")] = name
+            shown = [row | {name: row[name] or None} for row in shown]
+    table(out, shown, columns, lambda row: "!" if row["above"] else " ", ("first", "strongest"))
+    cut(out, rows, everything, most=MACHINES, what=" machines")
+    out.print()
+
+
+def _named(name: str | None) -> str:
+    return "-" if name is None else printable(name)
+
+
+def far_above(rows: Sequence[Row]) -> list[str]:
+    """Return a line that names the signals far above the limit of their indicator without an episode."""
+    far = [row for row in rows if row["is_far_above"] and row["is_above"] != 1]
+    if not far:
+        return []
+    return [WORDS["remark"]["far_above"].format(names=some(list(map(name_in(rows), far))))]
+
+
 def assessed(row: Row, name: str) -> Any:
     """Return a value of a channel that is judged; None of others."""
     return None if row["status"] == "not assessed" else row[name]
@@ -255,6 +290,8 @@ def assessed(row: Row, name: str) -> Any:
 def marked(row: Row) -> str:
     """Return the mark of a channel, or of a machine, by its status."""
     mark = MARKS.get(row["status"], " ")
+    if mark == " " and row.get("is_far_above"):
+        return "^"
     return "?" if mark in " ~" and row.get("verdict") == "blind" else mark
 
 
@@ -326,8 +363,15 @@ def _tally(rows: Iterable[Row], of: str) -> str:
     return ", ".join(f"{count[name]:,} {said}" for name, said in WORDS[of].items() if count[name])
 
 
-#: How many calibrations have which verdict; how many channels are what, the most urgent first.
-verdicts, counted = partial(_tally, of="verdict"), partial(_tally, of="status")
+#: How many calibrations have which verdict.
+verdicts = partial(_tally, of="verdict")
+
+
+def counted(rows: Iterable[Row]) -> str:
+    """Return how many channels are what, the most urgent first; none far above its limit is ok."""
+    far = {"status": "far above"}
+    said = (row | far if row["status"] == "ok" and row["is_far_above"] else row for row in rows)
+    return _tally(said, of="status")
 
 
 def unseen(rows: Sequence[Row]) -> list[str]:

@@ -19,7 +19,6 @@ SELECT
   known.label AS label,
   known.is_far_above AS is_far_above,
   known.strength AS strength,
-  known.urgency AS urgency_rank,
   known.floor AS floor,
   known.floor_sd AS floor_sd,
   known.hi_limit AS hi_limit,

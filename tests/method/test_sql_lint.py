@@ -654,6 +654,7 @@ def alarm_steps(number: int) -> list[tuple[str, exp.Query]]:
     add(made, "judgement/raised")
     add_judged(made, "raised")
     add_standing(made)
+    add(made, "judgement/machines", tables={"signals": "standing"})
     return filled_steps(made)
 
 
@@ -778,7 +779,7 @@ OF_STATE = (
     *("staying_buckets", "staying_novel", "staying_judgements"),
     *("expired_runs", "expired_versions", "expired_supports"),
     *("expired_unplaced", "new_horizons", "expired_horizons", "last_proofs", "state_sizes"),
-    "validity",
+    *("validity", "machine_rows"),
 )
 
 

@@ -10,7 +10,6 @@ from sqlglot import exp
 
 from gam_db.alarms import LIMIT, Alarms, Row, chosen_limits
 from gam_db.columns import COUNT, WORD, columns, name_of
-from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_spreads

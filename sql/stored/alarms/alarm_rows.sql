@@ -17,7 +17,7 @@ SELECT
   raised.stated_rate AS stated_rate,
   raised.asked AS asked,
   raised.signals_open AS signals_open,
-  raised.group_id AS group_id,
+  raised.incident_id AS incident,
   raised.signals_together AS signals_together,
   raised.label AS label,
   raised.label_until AS label_until,
