@@ -265,24 +265,21 @@ SELECT
   judged.is_far_above AS is_far_above,
   judged.strength AS strength,
   CASE
-    WHEN watching.time_kind = 'counter' OR judged.status NOT IN ('proving', 'open', 'high') THEN NULL
-    WHEN judged.raised IS NOT NULL THEN MAKE_TIMESTAMP(judged.raised_tick)
-    WHEN rising.hit = 1 THEN MAKE_TIMESTAMP(rising.since_tick)
+    WHEN watching.time_kind = 'counter' THEN NULL
+    WHEN judged.is_above = 1 AND judged.raised IS NOT NULL THEN MAKE_TIMESTAMP(judged.raised_tick)
+    WHEN judged.is_above = 1 AND rising.hit = 1 THEN MAKE_TIMESTAMP(rising.since_tick)
   END AS since_time,
   CASE
-    WHEN judged.status NOT IN ('proving', 'open', 'high') THEN NULL
-    WHEN judged.raised IS NOT NULL THEN judged.raised_tick
-    WHEN rising.hit = 1 THEN rising.since_tick
+    WHEN judged.is_above = 1 AND judged.raised IS NOT NULL THEN judged.raised_tick
+    WHEN judged.is_above = 1 AND rising.hit = 1 THEN rising.since_tick
   END AS since_tick,
   CASE
-    WHEN judged.status NOT IN ('proving', 'open', 'high') THEN NULL
-    WHEN judged.raised IS NOT NULL THEN judged.window_before_tick
-    WHEN rising.hit = 1 THEN rising.window_from_tick
+    WHEN judged.is_above = 1 AND judged.raised IS NOT NULL THEN judged.window_before_tick
+    WHEN judged.is_above = 1 AND rising.hit = 1 THEN rising.window_from_tick
   END AS window_from_tick,
   CASE
-    WHEN judged.status NOT IN ('proving', 'open', 'high') THEN NULL
-    WHEN judged.raised IS NOT NULL THEN 0
-    WHEN rising.hit = 1 THEN rising.at_least
+    WHEN judged.is_above = 1 AND judged.raised IS NOT NULL THEN 0
+    WHEN judged.is_above = 1 AND rising.hit = 1 THEN rising.at_least
   END AS at_least,
   CASE
     WHEN looked.hit = 1 AND rising.hit = 1 AND heard.hit = 1 AND heard.newest_tick > looked.read_to

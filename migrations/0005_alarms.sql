@@ -196,17 +196,7 @@ SELECT
   told.basis AS basis,
   told.incident_id AS incident_id,
   told.signals_together AS signals_together,
-  CASE
-    WHEN ROW_NUMBER() OVER (
-      PARTITION BY
-        told.monitor,
-        told.incident_no,
-        told.what,
-        CASE WHEN told.what = 'opened' THEN 0 ELSE told.noticed_tick END
-      ORDER BY told.seq
-    ) = 1 THEN 1
-    ELSE 0
-  END AS is_message
+  CASE WHEN told.place = 1 THEN 1 ELSE 0 END AS is_message
 FROM (
   SELECT
     raised.monitor AS monitor,
@@ -214,15 +204,23 @@ FROM (
     changed.episode_id AS episode_id,
     changed.what AS what,
     MAKE_TIMESTAMP(changed.noticed_at) AS noticed_at,
-    changed.noticed_at AS noticed_tick,
     raised.asset AS asset,
     raised.channel AS channel,
     changed.status AS status,
     changed.is_proving AS is_proving,
     raised.basis AS basis,
     raised.incident_id AS incident_id,
-    CASE WHEN raised.incident_id IS NULL THEN -changed.episode_id ELSE raised.incident_id END AS incident_no,
-    raised.signals_together AS signals_together
+    raised.signals_together AS signals_together,
+    CAST(
+      ROW_NUMBER() OVER (
+        PARTITION BY
+          raised.monitor,
+          CASE WHEN raised.incident_id IS NULL THEN -changed.episode_id ELSE raised.incident_id END,
+          changed.what,
+          CASE WHEN changed.what = 'opened' THEN 0 ELSE changed.noticed_at END
+        ORDER BY changed.seq
+      ) AS BIGINT
+    ) AS place
   FROM stored_episode AS changed
   JOIN stored_monitor AS watching ON watching.monitor_id = changed.monitor_id
   JOIN stored_alarm AS raised ON raised.monitor = watching.name AND raised.episode_id = changed.episode_id

@@ -179,7 +179,7 @@ def add_status(study: Study, alarms: Alarms) -> None:
     add(study.steps, "judgement/raised")
     add_judged(study.steps, "raised")
     add_standing(study.steps)
-    add(study.steps, "judgement/machines", tables={"signals": "standing"})
+    add(study.steps, "judgement/machines", name="ranked_machines", tables={"signals": "standing"})
 
 
 def limits_of(study: Study, alarms: Alarms) -> list[Row]:

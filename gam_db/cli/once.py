@@ -91,7 +91,7 @@ def run(
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 found = findings(study, settings.alarms, longest)
                 names = {"signals": "channels", "since_tick": "since"}
-                ranked = study.table("machines").sort_by("machine_rank").to_pylist()
+                ranked = study.table("ranked_machines").sort_by("machine_rank").to_pylist()
                 machines = [{names.get(of, of): one for of, one in row.items()} for row in ranked]
                 ended = study.table("episodes").filter(pc.field("is_open") == 0).to_pylist()
                 urgent = need_attention(found) or any(map(is_blind, found))

@@ -236,9 +236,10 @@ def channels(
         **({"trend": lambda row: rise(assessed(row, "trend"))} if rows and "trend" in rows[0] else {}),
         "HI, 0 to 1": lambda row: Course(() if assessed(row, "course") is None else row["course"]),
         **(when("since", "onset", rows, zone) if any(row["onset"] is not None for row in rows) else {}),
-        **when("last", time, rows, zone),
     }
-    table(out, rows, columns, marked, ("verdict", "bins"), ("sees",))
+    last = when("last", time, rows, zone)
+    spare = ("sees", *last)  # since when a signal is above comes before when its data ends
+    table(out, rows, columns | last, marked, ("verdict", "bins"), spare)
     known = [row for row in rows if row["course_from"] is not None and row["last_time"] is not None]
     if known:
         first, last = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
@@ -255,7 +256,7 @@ def machines(out: Console, rows: Sequence[Row], zone: dt.tzinfo, everything: boo
     shown = rows if everything else rows[:MACHINES]
     columns: dict[str, Cell] = {
         "machine": lambda row: printable(row["asset"]),
-        "above, of watched": lambda row: f"{row['above']:,} of {row['watched']:,}",
+        "above": lambda row: f"{row['above']:,} of {row['watched']:,}",
         **when("since", "since", shown, zone),
         "first": lambda row: _named(row["first_channel"]),
         "strongest": lambda row: _named(row["strongest_channel"]),
@@ -265,7 +266,8 @@ def machines(out: Console, rows: Sequence[Row], zone: dt.tzinfo, everything: boo
         if any(row.get(name) for row in shown):
             columns[name.replace("_", " ")] = name
             shown = [row | {name: row[name] or None} for row in shown]
-    table(out, shown, columns, lambda row: "!" if row["above"] else " ", ("first", "strongest"))
+    spare = ("times its limit", "strongest", "silent")
+    table(out, shown, columns, lambda row: "!" if row["above"] else " ", ("first", "strongest"), spare)
     cut(out, rows, everything, most=MACHINES, what=" machines")
     out.print()
 
@@ -276,7 +278,7 @@ def _named(name: str | None) -> str:
 
 def far_above(rows: Sequence[Row]) -> list[str]:
     """Return a line that names the signals far above the limit of their indicator without an episode."""
-    far = [row for row in rows if row["is_far_above"] and row["is_above"] != 1]
+    far = [row for row in rows if row["is_far_above"] and row["onset"] is None]
     if not far:
         return []
     return [WORDS["remark"]["far_above"].format(names=some(list(map(name_in(rows), far))))]

@@ -202,9 +202,15 @@ def as_html(rows: pa.Table) -> str:
     head = "".join(f"<th>{name}</th>" for name in names)
     body = "".join(
         f"<tr>{''.join(f'<td>{_cell(row[name])}</td>' for name in names)}</tr>"
-        for row in rows.select(names).to_pylist()
+        for row in map(_remarked, rows.to_pylist())
     )
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _remarked(row: Row) -> Row:
+    """Return a row whose status has what stands beside it: a label, or that it is far above."""
+    far = "far above" if row["is_far_above"] and row["onset"] is None else None
+    return row | {"status": ", ".join(filter(None, (row["status"], row["label"], far)))}
 
 
 def proved(state: State, monitor: str = "default") -> Proof | None:

@@ -120,4 +120,4 @@ FROM (
       ) AS lagged
     ) AS known
   ) AS told
-) AS before
+) AS placed

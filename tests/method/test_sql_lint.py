@@ -48,6 +48,7 @@ from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.scoring.publishing import withdraw
+from gam_db.stored.status import machines
 from gam_db.study import Study, naming
 from harness import arrow
 from sql_lint import Kind
@@ -654,7 +655,7 @@ def alarm_steps(number: int) -> list[tuple[str, exp.Query]]:
     add(made, "judgement/raised")
     add_judged(made, "raised")
     add_standing(made)
-    add(made, "judgement/machines", tables={"signals": "standing"})
+    add(made, "judgement/machines", name="ranked_machines", tables={"signals": "standing"})
     return filled_steps(made)
 
 
@@ -706,6 +707,7 @@ def watch_once() -> None:
             assert monitor.health().num_rows > 0
             assert monitor.check_state().num_rows == 0
             assert monitor.status()["scored"].to_pylist() == [32]
+            assert machines(monitor.state, monitor.name, monitor.status())["channels"].to_pylist() == [1]
             with tempfile.TemporaryDirectory() as folder:
                 monitor.report(Path(folder) / "page.html")
             monitor.prune()

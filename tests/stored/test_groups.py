@@ -41,10 +41,15 @@ def raised(session: Any, prefix: str = "gam_") -> Monitor:
 def assert_told(monitor: Monitor) -> None:
     """Y opens two judgements after x, z three after y, and another machine's are its own."""
     found = {
-        (row["asset"], row["channel"]): (row["group"], row["signals_together"])
+        (row["asset"], row["channel"]): (row["incident"], row["signals_together"])
         for row in monitor.alarms().to_pylist()
     }
     assert found == {("a", "x"): (1, 2), ("a", "y"): (1, 2), ("a", "z"): (3, 1), ("b", "x"): (4, 1)}
+    query = (
+        "SELECT incident_id, is_message FROM gam_alarm_event WHERE what = 'opened' ORDER BY episode_id"
+    )
+    events = [tuple(row.values()) for row in visible(monitor, query)]
+    assert events == [(1, 1), (1, 0), (3, 1), (4, 1)], "one message for each incident"
     begun = {(n, (8 + windows) * W) for n, windows in enumerate(BEGINS.values(), start=1)}
     fleet = visible(monitor, "SELECT judged_by, episode_id, since_tick FROM gam_fleet")
     assert {row["judged_by"] for row in fleet} == {"episode"}
@@ -65,10 +70,13 @@ def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Pat
     shown = typer.testing.CliRunner().invoke(app, ["alarms", "--database", str(path)])
     words = " ".join(shown.output.split())
     assert words.count("signals of this machine") == 1, "an episode that ended stays a part of its group"
-    assert "a: 2 signals of this machine within 2 judgements, from episode 1 on" in words
+    assert "a: 2 signals of this machine within 2 judgements are incident 1" in words
     told = typer.testing.CliRunner().invoke(app, ["alarms", "--database", str(path), "--json"])
     assert {row["signals_together"] for row in json.loads(told.output)["episodes"]} == {1, 2}
 
+    run = typer.testing.CliRunner().invoke(app, ["label", "4", "new_program", "--database", str(path)])
+    assert "episode 4 (b x, " in run.output
+    assert "is labelled new_program: no attention, not above its limit" in " ".join(run.output.split())
     run = typer.testing.CliRunner().invoke(app, ["alarm", "2", "--database", str(path)])
     for words in ("30 to 32", "above 40", "-9", "SELECT"):
         assert words in run.output
@@ -79,6 +87,29 @@ def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Pat
     with duckdb.connect(str(path), read_only=True) as connection:
         rows = connection.execute(why["raw_rows"]).fetchall()
     assert [row[-1] for row in rows] == RAISED * 10, "of this signal, from its onset on"
+
+
+def test_two_judgements_are_those_of_the_slower_signal() -> None:
+    """Slow opens at 8 W and x at 11 W; z, five judgements after x, lies within two of slow's."""
+    windows = {"x": [*CALM, *[RAISED] * 12], "z": [*CALM, *CALM[:1] * 5, *[RAISED] * 7]}
+    windows["slow"] = windows["x"]
+    rows: list[Row] = [
+        ("a", channel, time, value)
+        for channel, of in windows.items()
+        for time, value in enumerate(value for window in of for value in window)
+    ]
+    slow = gam_db.Override(channel="slow", window=4 * W)
+    parameters = gam_db.Parameters(**SETTING, overrides=[slow])
+    with DuckSession() as session:
+        source = gam_db.Source(scripts.telemetry(session, rows).name)
+        calibration = gam_db.Calibration(intervals=[(0, 8 * W - 1)])
+        monitor = Monitor(session, source, parameters, calibration, ALARMS)
+        monitor.migrate()
+        monitor.calibrate()
+        monitor.score()
+        found = {row["channel"]: (row["opened"], row["basis"]) for row in monitor.alarms().to_pylist()}
+        assert found == {"slow": (8 * W, "indicator"), "x": (11 * W, "table"), "z": (16 * W, "table")}
+        assert {row["incident"] for row in monitor.alarms().to_pylist()} == {1}
 
 
 @pytest.mark.full
