@@ -100,7 +100,11 @@ LEFT JOIN (
         opening.first_time AS first_time,
         CASE
           WHEN CAST(opening.first_time AS DOUBLE)
-            <= MAX(CASE WHEN opening.two_judgements >= 0 THEN opening.first_time + opening.two_judgements END) OVER (
+            <= MAX(
+              CASE
+                WHEN opening.two_judgements >= 0 THEN CAST(opening.first_time AS DOUBLE) + opening.two_judgements
+              END
+            ) OVER (
               PARTITION BY opening.monitor_id, opening.asset
               ORDER BY opening.first_time, opening.episode_id
               ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING

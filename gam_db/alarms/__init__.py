@@ -81,7 +81,7 @@ def judgements(
     alarms: Alarms | None = None,
     engine: Any = None,
 ) -> pa.Table:
-    """Return the judgements of each channel that has a limit: full windows that do not overlap.
+    """Return the judgements of each channel that is judged: full windows that do not overlap.
 
     Args:
         source: as in :func:`gam_db.health_indicator`.
@@ -93,8 +93,8 @@ def judgements(
     Returns:
         One row per judgement, ordered: asset, channel, judgement (from 0), first_time, last_time (of its
         vectors, as in the source), novel (of W vectors), root (of that, in thousandths), reference,
-        height, evidence (likewise), is_open (0 or 1), last_zero (the latest judgement without evidence,
-        NULL if there was none).
+        height, evidence (likewise), is_open (0 or 1), last_zero (the latest judgement that an onset
+        cannot lie before: without evidence, or open before this one; NULL if there was none).
 
     Raises:
         UserError: see its subclasses; the message says what to mend.
@@ -117,9 +117,10 @@ def episodes(
     Returns:
         One row per episode, ordered: asset, channel, episode (from 1 in its channel), onset (the
         judgement in which its evidence left 0), first_judgement and last_judgement (the open ones),
-        onset_time, first_time, last_time, is_open (1 if it goes on), is_proving (1 if it opened within
-        as many judgements as calibration has blocks, so that either calibration was no fair sample or
-        something changed right after it).
+        onset_time, first_time, last_time, evidence (the highest), height (1 where its indicator opened
+        it, as its judgements have no limit), is_open (1 if it goes on), is_proving (1 if it opened
+        within as many judgements as calibration has blocks, so that either calibration was no fair
+        sample or something changed right after it).
     """
     with studied(source, parameters, calibration, engine) as study:
         return _judged(study, alarms, "episodes")
@@ -139,11 +140,12 @@ def limits(
     Returns:
         One row per channel, ordered: asset, channel, family (from 0), blocks (of calibration, of a
         window or more), g, centre, spread, reference, height, cap (in thousandths of a root), quarters
-        (the height in quarters of a spread), basis (replay, extrapolated, table, drifting or none),
+        (the height in quarters of a spread), basis (replay, extrapolated, table, drifting or none;
+        indicator where there is no limit and the health indicator judges, with a height of 1),
         order_ratio (in thousandths, NULL with fewer than 18 blocks), judgements_per_day (NULL on a
         counter), rate (asked for, per judgement), stated_rate (that the height is for, at least 0.5 per
-        1,000; NULL where none can be stated), reason (why there is no limit, and all that follows from
-        one is NULL).
+        1,000; NULL where none can be stated), reason (why there is no limit: then centre, spread,
+        quarters and rates are NULL, and without the indicator all that follows from one is).
     """
     with studied(source, parameters, calibration, engine) as study:
         rows = limits_of(study, alarms or Alarms())

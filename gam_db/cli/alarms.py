@@ -173,7 +173,7 @@ def limits(
         columns: dict[str, page.Cell] = {
             "channel": page.name_in(shown),
             "basis": "basis",
-            "height": "height",
+            "height": lambda row: row["height"] if row["reason"] is None else None,
             "blocks": lambda row: row["blocks"] or 0,
             "no limit, since": lambda row: row["reason"] or "",
         }
@@ -239,6 +239,8 @@ def said_of(rows: Sequence[Row]) -> Iterator[str]:
         yield f"{count} of which no rate can be stated; they are judged all the same"
     for reason, count in sorted(told["withheld"].items()):
         yield f"{number_of(count, 'channel')} without a limit: {reason}"
+    if indicated := sum(row["basis"] == "indicator" for row in rows):
+        yield f"{number_of(indicated, 'channel')} judged by the health indicator: no rate can be stated"
 
 
 def _said_of_backtest(found: Row) -> Iterator[str]:

@@ -19,6 +19,7 @@ from gam_db.address import is_url
 from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
 from gam_db.checking.words import number_of
 from gam_db.cli import automatic, options, page
+from gam_db.cli import machines as of_machines
 from gam_db.cli import programs as of_programs
 from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, job_of
@@ -176,7 +177,7 @@ def show(
     page.cut(out, found, everything, page.counted)
     out.print()
     if len(machines) > 1:
-        page.machines(out, machines, shown_in, everything)
+        of_machines.show(out, machines, shown_in, everything)
     page.say(out, *_ended(ended if everything else ended[: options.SHOWN], shown_in))
     page.cut(out, ended, everything, what=" episodes that ended")
     page.say(out, f"verdicts: {page.verdicts(found)}")
@@ -184,7 +185,7 @@ def show(
     by = [(said, judged[name]) for name, said in _JUDGED_BY if judged[name]]
     words = ", ".join(f"{said}: {count:,}" if len(by) > 1 else said for said, count in by)
     page.say(out, f"channels: {page.counted(found)}{f'; judged by {words}' if words else ''}")
-    page.say(out, *page.far_above(found))
+    page.say(out, *of_machines.far_above(found))
     page.say(out, *page.unseen(found))
     lacking = of_programs.lines(programs)
     page.say(out, *(lacking if everything else lacking[: options.SHOWN]))

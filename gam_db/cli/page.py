@@ -48,8 +48,6 @@ _POINTS = 64
 """Points of a course at most, as the state keeps them."""
 _NAMED = 5
 """Channels that a remark names."""
-MACHINES = 20
-"""Machines shown unless all are asked for."""
 
 
 #: Where a page goes.
@@ -249,39 +247,6 @@ def channels(
             line += f" {zone}, {shown_length(micros, TimeKind.TIMESTAMP)}"
         say(out, line)
     remarks(out, ((name(row), row["remarks"]) for row in rows), everything)
-
-
-def machines(out: Console, rows: Sequence[Row], zone: dt.tzinfo, everything: bool) -> None:
-    """Print a line per machine: since when, how many signals, which of them."""
-    shown = rows if everything else rows[:MACHINES]
-    columns: dict[str, Cell] = {
-        "machine": lambda row: printable(row["asset"]),
-        "above": lambda row: f"{row['above']:,} of {row['watched']:,}",
-        **when("since", "since", shown, zone),
-        "first": lambda row: _named(row["first_channel"]),
-        "strongest": lambda row: _named(row["strongest_channel"]),
-        "times its limit": lambda row: None if row["strength"] is None else f"{row['strength']:.1f}",
-    }
-    for name in ("not_watched", "silent"):
-        if any(row.get(name) for row in shown):
-            columns[name.replace("_", " ")] = name
-            shown = [row | {name: row[name] or None} for row in shown]
-    spare = ("times its limit", "strongest", "silent")
-    table(out, shown, columns, lambda row: "!" if row["above"] else " ", ("first", "strongest"), spare)
-    cut(out, rows, everything, most=MACHINES, what=" machines")
-    out.print()
-
-
-def _named(name: str | None) -> str:
-    return "-" if name is None else printable(name)
-
-
-def far_above(rows: Sequence[Row]) -> list[str]:
-    """Return a line that names the signals far above the limit of their indicator without an episode."""
-    far = [row for row in rows if row["is_far_above"] and row["onset"] is None]
-    if not far:
-        return []
-    return [WORDS["remark"]["far_above"].format(names=some(list(map(name_in(rows), far))))]
 
 
 def assessed(row: Row, name: str) -> Any:

@@ -7,6 +7,7 @@ import pyarrow as pa
 import pyarrow.compute as pc
 
 from gam_db.checking.words import number_of, percent
+from gam_db.cli import machines as of_machines
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place
@@ -73,7 +74,7 @@ def status(
         page.cut(out, rows, common.everything, page.counted)
         out.print()
         if len(machines) > 1:
-            page.machines(out, machines.to_pylist(), shown_in, common.everything)
+            of_machines.show(out, machines.to_pylist(), shown_in, common.everything)
         if problems.num_rows:
             page.problems(out, problems, common.everything)
             out.print()
@@ -93,7 +94,7 @@ def _proof(proof: Proof | None, now: dt.datetime) -> str:
 
 def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
     yield "channels: " + page.counted(channels.to_pylist())
-    yield from page.far_above(channels.to_pylist())
+    yield from of_machines.far_above(channels.to_pylist())
     yield from page.unseen(channels.to_pylist())
     if fewer := pc.sum(pc.less(channels["calibration_rows_added"], 0)).as_py():
         yield f"{fewer:,} of whose calibration the source holds fewer rows than were learnt"
