@@ -340,3 +340,19 @@ def test_the_view_of_the_state_judges_by_the_same_file() -> None:
     assert {name: ours[name] for name in ("status", "is_above")} == {
         name: theirs[name] for name in ("status", "is_above")
     }
+
+
+def test_the_view_of_machines_ranks_by_the_same_file() -> None:
+    """The same, by monitor."""
+    view = definitions()["machine"].create.expression
+    (ranked,) = (one for one in view.find_all(exp.Subquery) if one.alias == "ranked")
+    made = ranked.this.copy()
+    for column in [one for one in made.find_all(exp.Column) if one.name == "monitor"]:
+        (column.parent if isinstance(column.parent, exp.Alias) else column).pop()
+    for window in made.find_all(exp.Window):
+        if not window.args.get("partition_by"):
+            window.set("partition_by", None)
+    (table,) = made.find_all(exp.Table)
+    table.set("this", exp.to_identifier("signals"))
+    expected = filled("judgement/machines")
+    assert made.sql() == expected.sql()
