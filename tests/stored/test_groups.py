@@ -98,7 +98,7 @@ def test_two_judgements_are_those_of_the_slower_signal() -> None:
         for channel, of in windows.items()
         for time, value in enumerate(value for window in of for value in window)
     ]
-    slow = gam_db.Override(channel="slow", window=4 * W)
+    slow = gam_db.Override(channel="slow", window=4 * W, target_floor=0.5)
     parameters = gam_db.Parameters(**SETTING, overrides=[slow])
     with DuckSession() as session:
         source = gam_db.Source(scripts.telemetry(session, rows).name)
