@@ -89,29 +89,6 @@ def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Pat
     assert [row[-1] for row in rows] == RAISED * 10, "of this signal, from its onset on"
 
 
-def test_two_judgements_are_those_of_the_slower_signal() -> None:
-    """Slow opens at 8 W and x at 11 W; z, five judgements after x, lies within two of slow's."""
-    windows = {"x": [*CALM, *[RAISED] * 12], "z": [*CALM, *CALM[:1] * 5, *[RAISED] * 7]}
-    windows["slow"] = windows["x"]
-    rows: list[Row] = [
-        ("a", channel, time, value)
-        for channel, of in windows.items()
-        for time, value in enumerate(value for window in of for value in window)
-    ]
-    slow = gam_db.Override(channel="slow", window=4 * W, target_floor=0.5)
-    parameters = gam_db.Parameters(**SETTING, overrides=[slow])
-    with DuckSession() as session:
-        source = gam_db.Source(scripts.telemetry(session, rows).name)
-        calibration = gam_db.Calibration(intervals=[(0, 8 * W - 1)])
-        monitor = Monitor(session, source, parameters, calibration, ALARMS)
-        monitor.migrate()
-        monitor.calibrate()
-        monitor.score()
-        found = {row["channel"]: (row["opened"], row["basis"]) for row in monitor.alarms().to_pylist()}
-        assert found == {"slow": (8 * W, "indicator"), "x": (11 * W, "table"), "z": (16 * W, "table")}
-        assert {row["incident"] for row in monitor.alarms().to_pylist()} == {1}
-
-
 @pytest.mark.full
 def test_groups_bands_and_cells_are_told_on_every_engine(engine: str) -> None:
     monitor = raised(engines.session(engine), engines.fresh_name("raised"))
