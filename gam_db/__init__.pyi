@@ -6,7 +6,7 @@ from gam_db.alarms import judgements as judgements
 from gam_db.alarms import limits as limits
 from gam_db.alarms.backtesting import backtest as backtest
 from gam_db.checking import check as check
-from gam_db.cli.once import Summary as Summary
+from gam_db.cli.summary import Summary as Summary
 from gam_db.cli.summary import summary as summary
 from gam_db.engines.connecting import connect as connect
 from gam_db.errors import CalibrationWarning as CalibrationWarning

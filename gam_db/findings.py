@@ -46,7 +46,7 @@ _CHANGES = {
 }
 
 #: What is known of a channel on the way only.
-_INNER = ("behind", "still_tick", "has_limit", "raised", "asks")
+_INNER = ("behind", "still_tick", "has_limit", "raised", "asks", "sure", "since_tick")
 
 #: What the other columns of a support row say is a count or a share; these are read by name here.
 Row = dict[str, Any]
@@ -219,13 +219,15 @@ def _remarks(row: Row, span: int, window: int, course: Course | None) -> list[st
             scored = 0 if course is None else course.vectors
             remarks.append(f"HI not yet available: {scored:,} of {window:,} vectors scored")
         elif limit is not None and hi > limit:
-            alone = row["judged_by"] == "episode" and row["is_above"] == 0
-            so_far = ", without an episode so far" if alone else ""
+            so_far = ", without an episode so far" if row["is_above"] != 1 else ""
+            if row["status"] == "labelled":
+                so_far = f", labelled {row['label']}"
+            far = "far " * bool(row["is_far_above"])
             left = ""  # the calibrated range, which any threshold would see
             if course.novel:
                 part = 100 * course.out_of_range / course.novel
                 left = f", {part:.0f} % of the novel vectors out of range"
-            remarks.append(f"above its limit of {share(limit)}{left}{so_far}")
+            remarks.append(f"{far}above its limit of {share(limit)}{left}{so_far}")
         elif limit is not None and course.highest is not None and course.highest > limit:
             remarks.append(f"below its limit of {share(limit)} now, was up to {share(course.highest)}")
     remarks += [*sight(row), *dropped(row)]

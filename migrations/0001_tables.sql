@@ -623,20 +623,22 @@ COMMENT ON COLUMN stored_limit.family IS 'Channels of the same number were made 
 COMMENT ON COLUMN stored_limit.blocks IS 'Blocks of calibration of a window or more';
 COMMENT ON COLUMN stored_limit.g IS 'Blocks up to so far away did not vouch for a cell';
 COMMENT ON COLUMN stored_limit.centre
-  IS 'Mean root of the blocks, in thousandths; NULL where there is no limit, as all that follows';
+  IS 'Mean root of the blocks, in thousandths; NULL where judgements have no limit';
 COMMENT ON COLUMN stored_limit.spread IS 'Their standard deviation, likewise';
 COMMENT ON COLUMN stored_limit.reference IS 'Root above which a judgement is raised: centre + spread';
-COMMENT ON COLUMN stored_limit.height IS 'Evidence that opens an episode';
+COMMENT ON COLUMN stored_limit.height
+  IS 'Evidence that opens an episode: 1 where the indicator does, as judgements have no limit; NULL where nothing judges';
 COMMENT ON COLUMN stored_limit.cap IS 'The most that one judgement adds to evidence';
 COMMENT ON COLUMN stored_limit.quarters IS 'The height in quarters of a spread';
-COMMENT ON COLUMN stored_limit.basis IS 'What the height rests on: replay, extrapolated, table, drifting or none';
+COMMENT ON COLUMN stored_limit.basis
+  IS 'What the height rests on: replay, extrapolated, table, drifting or none; indicator: hi_limit, and no rate can be stated';
 COMMENT ON COLUMN stored_limit.order_ratio IS 'As in extent; NULL with fewer than 18 blocks';
 COMMENT ON COLUMN stored_limit.judgements_per_day
   IS 'Judgements a day in calibration; NULL where the source counts time';
 COMMENT ON COLUMN stored_limit.rate IS 'False alarms asked for, per judgement';
 COMMENT ON COLUMN stored_limit.stated_rate
   IS 'Those that the height is for, at least 0.0005; NULL where none can be stated';
-COMMENT ON COLUMN stored_limit.reason IS 'Why there is no limit; NULL where there is one';
+COMMENT ON COLUMN stored_limit.reason IS 'Why judgements have no limit; NULL where they have one';
 
 -- Judgement: a full window of scored vectors, with what it says. Rows are visible once their run is recorded; read them
 -- through visible_judgement.
@@ -671,7 +673,7 @@ COMMENT ON COLUMN stored_judgement.height IS 'Evidence that opens an episode';
 COMMENT ON COLUMN stored_judgement.evidence IS 'How far roots stood above the reference of late, summed';
 COMMENT ON COLUMN stored_judgement.is_open IS '1 if it belongs to an episode, else 0';
 COMMENT ON COLUMN stored_judgement.last_zero
-  IS 'The latest judgement without evidence, up to this one; NULL if there was none';
+  IS 'The latest judgement that an onset cannot lie before: without evidence, or open before this one; NULL if there was none';
 
 -- Episode: the history of what was raised: a row for each time that an episode became known, or other than it was. The
 -- newest row of an id counts.

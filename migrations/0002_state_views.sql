@@ -227,7 +227,7 @@ COMMENT ON COLUMN stored_visible_judgement.height IS 'Evidence that opens an epi
 COMMENT ON COLUMN stored_visible_judgement.evidence IS 'How far roots stood above the reference of late, summed';
 COMMENT ON COLUMN stored_visible_judgement.is_open IS '1 if it belongs to an episode, else 0';
 COMMENT ON COLUMN stored_visible_judgement.last_zero
-  IS 'The latest judgement without evidence, up to this one; NULL if there was none';
+  IS 'The latest judgement that an onset cannot lie before: without evidence, or open before this one; NULL if there was none';
 
 -- Visible episode: what is known of every episode now: its newest row.
 CREATE OR REPLACE VIEW stored_visible_episode AS
@@ -307,6 +307,7 @@ SELECT
   said.label_until AS label_until,
   said.note AS note,
   CASE
+    WHEN said.status = 'open' AND said.height = 1 THEN 'high'
     WHEN said.status IN ('merged', 'withdrawn', 'recalibrated') OR said.is_proving = 0 THEN said.status
     WHEN said.label IN ('true_fault', 'false_alarm', 'maintenance', 'new_program') THEN said.status
     ELSE 'proving'
@@ -407,7 +408,7 @@ COMMENT ON COLUMN stored_labelled_episode.label_until
   IS 'When that ends, in microseconds since 1970 (UTC); NULL if it does not';
 COMMENT ON COLUMN stored_labelled_episode.note IS 'What was said beside it';
 COMMENT ON COLUMN stored_labelled_episode.told_as
-  IS 'proving while it opened right after calibration and nobody decided what it was, else its status';
+  IS 'proving while it opened right after calibration and nobody decided what it was, high while it is open and its indicator opened it, else its status';
 COMMENT ON COLUMN stored_labelled_episode.needs_attention
   IS '1 if somebody should look at it, as of the newest run; else 0';
 

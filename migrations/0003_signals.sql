@@ -191,9 +191,9 @@ COMMENT ON COLUMN stored_onset.at_least
   IS '1 if the bucket before is no longer kept, so that the run may be longer; else 0; NULL if not above';
 
 -- Fleet: what is known of every channel now, one row each, under its active version. A channel that would
--- be ok or waiting and stands still is standing: neither healthy nor alarming. Where its calibration gave a limit of
--- judgements, its episode says whether it is above, and since when: since the onset of that. Elsewhere its indicator
--- says it by hi_limit. judged_by says which. limit, reason, urgency, attention and the status of what moves are those of
+-- be ok or waiting and stands still is standing: neither healthy nor alarming. Its episode says whether it is above, and
+-- since when: since the onset of that. judged_by says what opens one: its judgements, where calibration gave them a
+-- limit, else its indicator by hi_limit. limit, reason, urgency, attention and the status of what moves are those of
 -- sql/judgement/, word for word. A run whose context differs has read another number of samples before its first bucket
 -- than were there when that bucket was scored: rows came later than lookback allows, or went. A later run that began to
 -- read no later speaks in its place; one that found no row at all says nothing. Only runs that tell something are put
@@ -269,22 +269,25 @@ SELECT
   judged.judged_by AS judged_by,
   judged.episode_id AS episode_id,
   judged.asking AS asking,
+  judged.label AS label,
+  judged.is_far_above AS is_far_above,
+  judged.strength AS strength,
   CASE
     WHEN watching.time_kind = 'counter' THEN NULL
-    WHEN judged.status IN ('proving', 'open') THEN MAKE_TIMESTAMP(judged.raised_tick)
-    WHEN judged.status = 'high' AND rising.hit = 1 THEN MAKE_TIMESTAMP(rising.since_tick)
+    WHEN judged.is_above = 1 AND judged.raised IS NOT NULL THEN MAKE_TIMESTAMP(judged.raised_tick)
+    WHEN judged.is_above = 1 AND rising.hit = 1 THEN MAKE_TIMESTAMP(rising.since_tick)
   END AS since_time,
   CASE
-    WHEN judged.status IN ('proving', 'open') THEN judged.raised_tick
-    WHEN judged.status = 'high' AND rising.hit = 1 THEN rising.since_tick
+    WHEN judged.is_above = 1 AND judged.raised IS NOT NULL THEN judged.raised_tick
+    WHEN judged.is_above = 1 AND rising.hit = 1 THEN rising.since_tick
   END AS since_tick,
   CASE
-    WHEN judged.status IN ('proving', 'open') THEN judged.window_before_tick
-    WHEN judged.status = 'high' AND rising.hit = 1 THEN rising.window_from_tick
+    WHEN judged.is_above = 1 AND judged.raised IS NOT NULL THEN judged.window_before_tick
+    WHEN judged.is_above = 1 AND rising.hit = 1 THEN rising.window_from_tick
   END AS window_from_tick,
   CASE
-    WHEN judged.status IN ('proving', 'open') THEN 0
-    WHEN judged.status = 'high' AND rising.hit = 1 THEN rising.at_least
+    WHEN judged.is_above = 1 AND judged.raised IS NOT NULL THEN 0
+    WHEN judged.is_above = 1 AND rising.hit = 1 THEN rising.at_least
   END AS at_least,
   CASE
     WHEN looked.hit = 1 AND rising.hit = 1 AND heard.hit = 1 AND heard.newest_tick > looked.read_to
@@ -306,15 +309,25 @@ JOIN (
     status,
     CASE
       WHEN asks = 1 AND status = 'proving' THEN 6
-      WHEN asks = 1 THEN 5
+      WHEN status = 'high' AND asks = 0 AND has_limit IS NOT NULL THEN 2
       WHEN status = 'high' THEN 4
+      WHEN asks = 1 THEN 5
       WHEN status = 'setup' THEN 3
       WHEN status IN ('proving', 'open', 'waiting', 'blind') THEN 2
       WHEN status = 'ok' THEN 1
       ELSE 0
     END AS urgency,
-    CASE WHEN asks = 1 OR status IN ('high', 'setup') THEN 1 ELSE 0 END AS needs_attention,
-    CASE WHEN status IN ('proving', 'open', 'high') THEN 1 WHEN status = 'ok' THEN 0 END AS is_above,
+    CASE
+      WHEN status = 'high' AND asks = 0 AND has_limit IS NOT NULL THEN 0
+      WHEN asks = 1 OR status IN ('high', 'setup') THEN 1
+      ELSE 0
+    END AS needs_attention,
+    CASE WHEN status IN ('proving', 'open', 'high') THEN 1 WHEN status IN ('ok', 'labelled') THEN 0 END AS is_above,
+    CASE WHEN judged_by IS NOT NULL AND hi >= 10 * hi_limit THEN 1 ELSE 0 END AS is_far_above,
+    CASE
+      WHEN status IN ('proving', 'open') THEN sure
+      WHEN status = 'high' AND hi_limit > 0 THEN hi / hi_limit
+    END AS strength,
     judged_by,
     version_id,
     verdict,
@@ -331,6 +344,8 @@ JOIN (
     last_tick,
     has_limit,
     raised,
+    label,
+    sure,
     asks,
     asking,
     episode_id,
@@ -341,9 +356,10 @@ JOIN (
       CASE
         WHEN verdict IN ('no_data', 'constant') THEN 'not assessed'
         WHEN judged_by IS NULL THEN 'setup'
-        WHEN judged_by = 'episode' AND raised IS NOT NULL THEN raised
+        WHEN raised IS NOT NULL AND label IN ('false_alarm', 'new_program') THEN 'labelled'
+        WHEN raised IS NOT NULL THEN raised
         WHEN hi IS NULL THEN 'waiting'
-        WHEN judged_by = 'indicator' AND hi > hi_limit THEN 'high'
+        WHEN judged_by = 'indicator' AND has_limit IS NULL AND hi > hi_limit THEN 'high'
         WHEN verdict = 'blind' THEN 'blind'
         ELSE 'ok'
       END AS status,
@@ -363,6 +379,8 @@ JOIN (
       last_tick,
       has_limit,
       raised,
+      label,
+      sure,
       asks,
       asking,
       episode_id,
@@ -390,6 +408,8 @@ JOIN (
         last_tick,
         has_limit,
         raised,
+        label,
+        sure,
         asks,
         asking,
         episode_id,
@@ -425,8 +445,11 @@ JOIN (
           CASE
             WHEN limited.hit = 1 AND limited.reason IS NULL THEN 1
             WHEN limited.hit = 1 AND limited.reason = 'unrepresentative' THEN 0
+            WHEN limited.hit = 1 THEN -1
           END AS has_limit,
           CASE WHEN raised.hit = 1 THEN raised.told_as END AS raised,
+          CASE WHEN raised.hit = 1 THEN raised.label END AS label,
+          CASE WHEN raised.hit = 1 THEN CAST(raised.evidence AS DOUBLE) / CAST(raised.height AS DOUBLE) END AS sure,
           CASE WHEN raised.hit = 1 AND raised.asking > 0 THEN 1 ELSE 0 END AS asks,
           CASE WHEN raised.hit = 1 THEN raised.asking ELSE 0 END AS asking,
           CASE WHEN raised.hit = 1 THEN raised.episode_id END AS episode_id,
@@ -448,6 +471,9 @@ JOIN (
             going.channel_id AS channel_id,
             going.episode_id AS episode_id,
             going.told_as AS told_as,
+            going.label AS label,
+            going.evidence AS evidence,
+            going.height AS height,
             going.onset_time AS onset_time,
             CAST(
               FLOOR(
@@ -462,7 +488,13 @@ JOIN (
             CAST(
               ROW_NUMBER() OVER (
                 PARTITION BY going.channel_id
-                ORDER BY CASE WHEN going.status = 'open' THEN 0 ELSE 1 END, going.episode_id DESC
+                ORDER BY
+                  CASE
+                    WHEN going.label IN ('false_alarm', 'new_program') THEN 2
+                    WHEN going.status = 'open' THEN 0
+                    ELSE 1
+                  END,
+                  going.episode_id DESC
               ) AS BIGINT
             ) AS episodes_back,
             1 AS hit
@@ -699,19 +731,24 @@ COMMENT ON COLUMN stored_fleet.method_hash IS 'Hash of the SQL that learnt it';
 COMMENT ON COLUMN stored_fleet.limit_reason
   IS 'Why nothing judges it, in words: calibration is none, constant, too short, too short for its grid or unrepresentative';
 COMMENT ON COLUMN stored_fleet.status
-  IS 'proving, open: its episode; high: hi above hi_limit; setup: calibration not good enough; waiting: no full window yet; blind: below its limit, but it would not show a shift; standing; ok; not assessed';
+  IS 'proving, open: its episode; high: an episode that its indicator opened; labelled: its episode is a false alarm or a new program; setup: calibration not good enough; waiting: no full window yet; blind: below its limit, but it would not show a shift; standing; ok; not assessed';
 COMMENT ON COLUMN stored_fleet.urgency
-  IS 'The larger, the sooner to be looked at: 6 proving, 5 open, 4 high, 3 setup, 2 waiting, blind or an episode put aside, 1 ok, 0 not assessed';
+  IS 'The larger, the sooner to be looked at: 6 proving, 5 open, 4 high, 3 setup, 2 waiting, blind or an episode put aside, 1 ok, 0 labelled or not assessed';
 COMMENT ON COLUMN stored_fleet.needs_attention
-  IS '1 if somebody should look at it (high, setup, or an episode that is not put aside), else 0';
+  IS '1 if somebody should look at it (setup, or an episode that is not put aside), else 0';
 COMMENT ON COLUMN stored_fleet.is_above
-  IS '1 if it is above its limit (proving, open, high), 0 if not (ok); NULL where nothing can be judged, or nothing would be seen';
+  IS '1 if it is above its limit (proving, open, high), 0 if not (ok, labelled); NULL where nothing can be judged, or nothing would be seen';
 COMMENT ON COLUMN stored_fleet.judged_by
   IS 'episode: its calibration gave a limit of judgements; indicator: only hi_limit; NULL: nothing does';
 COMMENT ON COLUMN stored_fleet.episode_id IS 'Its episode: the open one, else the newest that asks; NULL if there is none';
 COMMENT ON COLUMN stored_fleet.asking IS 'Episodes of it that need attention';
+COMMENT ON COLUMN stored_fleet.label IS 'What people said last of that episode; NULL if nothing';
+COMMENT ON COLUMN stored_fleet.is_far_above
+  IS '1 if hi is at ten times hi_limit or more, whatever the status; else 0';
+COMMENT ON COLUMN stored_fleet.strength
+  IS 'Of what is above: the highest evidence of its episode over the height, or hi / hi_limit where the indicator judges it; NULL if it is not';
 COMMENT ON COLUMN stored_fleet.since_time
-  IS 'Of what is above: onset of its episode, else since when hi is above hi_limit without a break (UTC); NULL if it is not, or where the source counts time';
+  IS 'Of what is above: onset of its episode (UTC); NULL if it is not, or where the source counts time';
 COMMENT ON COLUMN stored_fleet.since_tick
   IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
 COMMENT ON COLUMN stored_fleet.window_from_tick IS 'Where the window begins that ends with it; NULL if it is not above';
@@ -720,69 +757,158 @@ COMMENT ON COLUMN stored_fleet.at_least
 COMMENT ON COLUMN stored_fleet.silent_for
   IS 'How far its newest data is behind the newest of the monitor, where three of its buckets take less; else NULL';
 
--- Machine: what is known of every machine now, one row each, counted over its signals in fleet. Together counts the
--- signals whose onset lies within the window that ended at the onset of one of them: those that began by then, less those
--- that began before that window. Each signal is there three times for it: where its window begins, as one that
--- began, and where it counts.
+-- Machine: what is known of every machine now, one row each, counted over its signals in fleet, as
+-- sql/judgement/machines.sql says, by monitor. Together counts the signals whose onset lies within the window that ended
+-- at the onset of one of them: those that began by then, less those that began before that window. Each signal is there
+-- three times for it: where its window begins, as one that began, and where it counts.
 CREATE OR REPLACE VIEW stored_machine AS
 SELECT
-  member.monitor AS monitor,
-  member.asset AS asset,
-  CAST(COUNT(*) AS BIGINT) AS signals,
-  CAST(SUM(CASE WHEN member.is_above IS NULL THEN 0 ELSE 1 END) AS BIGINT) AS judged,
-  CAST(SUM(CASE WHEN member.is_above = 1 THEN 1 ELSE 0 END) AS BIGINT) AS above,
-  CAST(SUM(CASE WHEN member.is_above IS NULL THEN 1 ELSE 0 END) AS BIGINT) AS not_judged,
-  MIN(member.since_time) AS since_time,
-  MIN(member.since_tick) AS since_tick,
-  CAST(MAX(member.left_together) AS BIGINT) AS together,
-  MAX(member.data_time) AS data_time,
-  MAX(member.data_tick) AS data_tick
+  ranked.monitor AS monitor,
+  ranked.asset AS asset,
+  ranked.signals AS signals,
+  ranked.watched AS watched,
+  ranked.not_watched AS not_watched,
+  beside.judged AS judged,
+  ranked.above AS above,
+  beside.not_judged AS not_judged,
+  beside.since_time AS since_time,
+  ranked.since_tick AS since_tick,
+  ranked.first_channel AS first_channel,
+  ranked.strongest_channel AS strongest_channel,
+  ranked.strength AS strength,
+  ranked.urgency AS urgency,
+  ranked.machine_rank AS machine_rank,
+  beside.together AS together,
+  beside.data_time AS data_time,
+  beside.data_tick AS data_tick
 FROM (
   SELECT
-    begun.monitor AS monitor,
-    begun.asset AS asset,
-    begun.channel AS channel,
-    MAX(begun.is_above) AS is_above,
-    MAX(begun.since_time) AS since_time,
-    MAX(begun.since_tick) AS since_tick,
-    MAX(begun.data_time) AS data_time,
-    MAX(begun.data_tick) AS data_tick,
-    SUM(
-      CASE
-        WHEN begun.since_tick IS NULL OR begun.part = 1 THEN 0
-        WHEN begun.part = 2 THEN begun.begun_by
-        ELSE -begun.begun_by
-      END
-    ) AS left_together
+    monitor,
+    asset,
+    signals,
+    watched,
+    not_watched,
+    above,
+    since_tick,
+    first_channel,
+    strongest_channel,
+    strength,
+    urgency,
+    CAST(
+      ROW_NUMBER() OVER (
+        PARTITION BY monitor
+        ORDER BY urgency DESC, above DESC, CASE WHEN strength IS NULL THEN 1 ELSE 0 END, strength DESC, asset
+      ) AS BIGINT
+    ) AS machine_rank
   FROM (
     SELECT
-      known.monitor AS monitor,
-      known.asset AS asset,
-      known.channel AS channel,
-      known.is_above AS is_above,
-      known.since_time AS since_time,
-      known.since_tick AS since_tick,
-      known.data_time AS data_time,
-      known.data_tick AS data_tick,
-      each_part.part AS part,
-      CAST(
-        SUM(CASE WHEN each_part.part = 1 AND known.since_tick IS NOT NULL THEN 1 ELSE 0 END) OVER (
-          PARTITION BY known.monitor, known.asset
-          ORDER BY CASE WHEN each_part.part = 0 THEN known.window_from_tick ELSE known.since_tick END, each_part.part
-          ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
-        ) AS BIGINT
-      ) AS begun_by
-    FROM stored_fleet AS known
-    CROSS JOIN (SELECT 0 AS part UNION ALL SELECT 1 AS part UNION ALL SELECT 2 AS part) AS each_part
-  ) AS begun
-  GROUP BY begun.monitor, begun.asset, begun.channel
-) AS member
-GROUP BY member.monitor, member.asset;
+      member.monitor AS monitor,
+      member.asset AS asset,
+      CAST(COUNT(*) AS BIGINT) AS signals,
+      CAST(SUM(CASE WHEN member.judged_by IS NULL THEN 0 ELSE 1 END) AS BIGINT) AS watched,
+      CAST(SUM(CASE WHEN member.judged_by IS NULL THEN 1 ELSE 0 END) AS BIGINT) AS not_watched,
+      CAST(SUM(member.raised) AS BIGINT) AS above,
+      MIN(CASE WHEN member.raised = 1 THEN member.since_tick END) AS since_tick,
+      MIN(CASE WHEN member.raised = 1 AND member.place = 1 THEN member.channel END) AS first_channel,
+      MIN(CASE WHEN member.raised = 1 AND member.strong_place = 1 THEN member.channel END) AS strongest_channel,
+      MAX(CASE WHEN member.raised = 1 THEN member.strength END) AS strength,
+      MAX(member.urgency) AS urgency
+    FROM (
+      SELECT
+        monitor,
+        asset,
+        channel,
+        judged_by,
+        raised,
+        since_tick,
+        strength,
+        urgency,
+        CAST(
+          ROW_NUMBER() OVER (
+            PARTITION BY monitor, asset
+            ORDER BY raised DESC, CASE WHEN since_tick IS NULL THEN 1 ELSE 0 END, since_tick, channel
+          ) AS BIGINT
+        ) AS place,
+        CAST(
+          ROW_NUMBER() OVER (
+            PARTITION BY monitor, asset
+            ORDER BY raised DESC, CASE WHEN strength IS NULL THEN 1 ELSE 0 END, strength DESC, channel
+          ) AS BIGINT
+        ) AS strong_place
+      FROM (
+        SELECT
+          monitor,
+          asset,
+          channel,
+          judged_by,
+          CASE WHEN is_above = 1 THEN 1 ELSE 0 END AS raised,
+          since_tick,
+          strength,
+          urgency
+        FROM stored_fleet
+      ) AS known
+    ) AS member
+    GROUP BY member.monitor, member.asset
+  ) AS counted
+) AS ranked
+JOIN (
+  SELECT
+    signal.monitor AS monitor,
+    signal.asset AS asset,
+    CAST(SUM(CASE WHEN signal.is_above IS NULL THEN 0 ELSE 1 END) AS BIGINT) AS judged,
+    CAST(SUM(CASE WHEN signal.is_above IS NULL THEN 1 ELSE 0 END) AS BIGINT) AS not_judged,
+    MIN(signal.since_time) AS since_time,
+    CAST(MAX(signal.left_together) AS BIGINT) AS together,
+    MAX(signal.data_time) AS data_time,
+    MAX(signal.data_tick) AS data_tick
+  FROM (
+    SELECT
+      begun.monitor AS monitor,
+      begun.asset AS asset,
+      begun.channel AS channel,
+      MAX(begun.is_above) AS is_above,
+      MAX(begun.since_time) AS since_time,
+      MAX(begun.data_time) AS data_time,
+      MAX(begun.data_tick) AS data_tick,
+      SUM(
+        CASE
+          WHEN begun.since_tick IS NULL OR begun.part = 1 THEN 0
+          WHEN begun.part = 2 THEN begun.begun_by
+          ELSE -begun.begun_by
+        END
+      ) AS left_together
+    FROM (
+      SELECT
+        known.monitor AS monitor,
+        known.asset AS asset,
+        known.channel AS channel,
+        known.is_above AS is_above,
+        known.since_time AS since_time,
+        known.since_tick AS since_tick,
+        known.data_time AS data_time,
+        known.data_tick AS data_tick,
+        each_part.part AS part,
+        CAST(
+          SUM(CASE WHEN each_part.part = 1 AND known.since_tick IS NOT NULL THEN 1 ELSE 0 END) OVER (
+            PARTITION BY known.monitor, known.asset
+            ORDER BY CASE WHEN each_part.part = 0 THEN known.window_from_tick ELSE known.since_tick END, each_part.part
+            ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
+          ) AS BIGINT
+        ) AS begun_by
+      FROM stored_fleet AS known
+      CROSS JOIN (SELECT 0 AS part UNION ALL SELECT 1 AS part UNION ALL SELECT 2 AS part) AS each_part
+    ) AS begun
+    GROUP BY begun.monitor, begun.asset, begun.channel
+  ) AS signal
+  GROUP BY signal.monitor, signal.asset
+) AS beside ON beside.monitor = ranked.monitor AND beside.asset = ranked.asset;
 
 COMMENT ON VIEW stored_machine IS 'What is known of every machine now, counted over its signals';
 COMMENT ON COLUMN stored_machine.monitor IS 'The monitor';
 COMMENT ON COLUMN stored_machine.asset IS 'The machine';
 COMMENT ON COLUMN stored_machine.signals IS 'Signals of it';
+COMMENT ON COLUMN stored_machine.watched IS 'Signals that something judges: judged_by of fleet is not NULL';
+COMMENT ON COLUMN stored_machine.not_watched IS 'Signals that nothing judges, as calibration does not allow it';
 COMMENT ON COLUMN stored_machine.judged IS 'Signals that can be judged now: is_above of fleet is not NULL';
 COMMENT ON COLUMN stored_machine.above IS 'Signals above their limit: status proving, open or high';
 COMMENT ON COLUMN stored_machine.not_judged IS 'Signals that cannot be judged yet, or at all';
@@ -790,6 +916,12 @@ COMMENT ON COLUMN stored_machine.since_time
   IS 'Since when the first of those above is above (UTC); NULL if none is, or where the source counts time';
 COMMENT ON COLUMN stored_machine.since_tick
   IS 'The same in microseconds since 1970 (UTC), or as the counter of the source';
+COMMENT ON COLUMN stored_machine.first_channel IS 'The signal that is above since then; NULL if none is';
+COMMENT ON COLUMN stored_machine.strongest_channel IS 'The signal above of the largest strength; NULL if none is';
+COMMENT ON COLUMN stored_machine.strength IS 'Its strength in fleet';
+COMMENT ON COLUMN stored_machine.urgency IS 'The largest urgency of its signals in fleet';
+COMMENT ON COLUMN stored_machine.machine_rank
+  IS 'Place among the machines of the monitor, the one to be looked at first being 1: by urgency, above and strength';
 COMMENT ON COLUMN stored_machine.together
   IS 'The most signals above that left health within one window of each other; 0 if none is above';
 COMMENT ON COLUMN stored_machine.data_time

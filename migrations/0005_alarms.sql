@@ -1,5 +1,6 @@
 -- Alarm: every episode as it is now, for people, with what was said of it, what its limit promises, and which signals of
--- its machine opened with it. Openings that are no more than two judgements apart belong together, one after the other.
+-- its machine opened with it: openings that are no more than two judgements of the slower signal apart, one after the
+-- other, are one incident.
 -- A judgement of W vectors lasts W / (n W - 1) of the time from the first to the last vector of n judgements; two are
 -- told from three by two and a half.
 CREATE OR REPLACE VIEW stored_alarm AS
@@ -34,7 +35,7 @@ SELECT
   kept.seq AS seq,
   kept.version_id AS version_id,
   kept.channel_id AS channel_id,
-  CASE WHEN grouped.hit = 1 THEN grouped.group_id END AS group_id,
+  CASE WHEN grouped.hit = 1 THEN grouped.incident_id END AS incident_id,
   CASE WHEN grouped.hit = 1 THEN grouped.signals ELSE 0 END AS signals_together
 FROM stored_labelled_episode AS kept
 JOIN stored_monitor AS watching ON watching.monitor_id = kept.monitor_id
@@ -76,7 +77,7 @@ LEFT JOIN (
     counted.episode_id AS episode_id,
     MIN(counted.episode_id) OVER (
       PARTITION BY counted.monitor_id, counted.asset, counted.group_no
-    ) AS group_id,
+    ) AS incident_id,
     CAST(COUNT(*) OVER (PARTITION BY counted.monitor_id, counted.asset, counted.group_no) AS BIGINT) AS signals,
     1 AS hit
   FROM (
@@ -99,7 +100,17 @@ LEFT JOIN (
         opening.first_time AS first_time,
         CASE
           WHEN CAST(opening.first_time AS DOUBLE)
-            <= LAG(CASE WHEN opening.window_length > 0 THEN opening.until END, 1) OVER (
+            <= MAX(
+              CASE
+                WHEN opening.two_judgements >= 0 THEN CAST(opening.first_time AS DOUBLE) + opening.two_judgements
+              END
+            ) OVER (
+              PARTITION BY opening.monitor_id, opening.asset
+              ORDER BY opening.first_time, opening.episode_id
+              ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
+            ) THEN 0
+          WHEN CAST(opening.first_time AS DOUBLE) - opening.two_judgements
+            <= LAG(CASE WHEN opening.two_judgements >= 0 THEN CAST(opening.first_time AS DOUBLE) END, 1) OVER (
               PARTITION BY opening.monitor_id, opening.asset ORDER BY opening.first_time, opening.episode_id
             ) THEN 0
           ELSE 1
@@ -110,13 +121,11 @@ LEFT JOIN (
           owner.asset AS asset,
           raised.episode_id AS episode_id,
           raised.first_time AS first_time,
-          made.window_length AS window_length,
-          CAST(raised.first_time AS DOUBLE)
-          + CAST(5 AS DOUBLE) * CAST(raised.last_time - raised.first_time AS DOUBLE) * CAST(made.window_length AS DOUBLE)
+          CAST(5 AS DOUBLE) * CAST(raised.last_time - raised.first_time AS DOUBLE) * CAST(made.window_length AS DOUBLE)
             / CAST(
               2 * (raised.last_judgement - raised.first_judgement + 1) * made.window_length
               - CASE WHEN made.window_length > 1 THEN 2 ELSE 0 END AS DOUBLE
-            ) AS until
+            ) AS two_judgements
         FROM stored_visible_episode AS raised
         JOIN stored_channel AS owner ON owner.channel_id = raised.channel_id
         JOIN stored_version AS made ON made.version_id = raised.version_id
@@ -135,7 +144,8 @@ COMMENT ON COLUMN stored_alarm.status
   IS 'open: it goes on; ended; merged: a part of merged_into; withdrawn: data that came later took it back; recalibrated: ended by a new calibration';
 COMMENT ON COLUMN stored_alarm.is_proving
   IS '1 if it opened within as many judgements as calibration has blocks: it asks for a decision; else 0';
-COMMENT ON COLUMN stored_alarm.told_as IS 'proving while it asks for that decision, else its status';
+COMMENT ON COLUMN stored_alarm.told_as
+  IS 'proving while it asks for that decision, high while it is open and its indicator opened it, else its status';
 COMMENT ON COLUMN stored_alarm.needs_attention
   IS '1 if somebody should look at it, as of the newest run; else 0';
 COMMENT ON COLUMN stored_alarm.label
@@ -160,7 +170,7 @@ COMMENT ON COLUMN stored_alarm.last_judgement IS 'Number of its last open one';
 COMMENT ON COLUMN stored_alarm.evidence IS 'The highest evidence in it: how sure';
 COMMENT ON COLUMN stored_alarm.height IS 'Evidence that opened it';
 COMMENT ON COLUMN stored_alarm.basis
-  IS 'What the rate of false alarms rests on: replay, extrapolated, table, drifting or none';
+  IS 'What the rate of false alarms rests on: replay, extrapolated, table, drifting or none; indicator: it has no limit of judgements, and no rate can be stated';
 COMMENT ON COLUMN stored_alarm.asked IS 'The false alarms that were asked for';
 COMMENT ON COLUMN stored_alarm.stated_rate
   IS 'False alarms that its limit is for, per judgement; NULL where none can be stated';
@@ -169,27 +179,57 @@ COMMENT ON COLUMN stored_alarm.merged_into IS 'The episode that it is a part of;
 COMMENT ON COLUMN stored_alarm.seq IS 'Number of its newest change';
 COMMENT ON COLUMN stored_alarm.version_id IS 'The version whose judgements it is made of';
 COMMENT ON COLUMN stored_alarm.channel_id IS 'The channel';
-COMMENT ON COLUMN stored_alarm.group_id
-  IS 'Smallest number of the episodes of its machine that opened within two judgements of one another; NULL if it is merged or withdrawn';
+COMMENT ON COLUMN stored_alarm.incident_id
+  IS 'Its incident: smallest number of the episodes of its machine that opened within two judgements of one another; NULL if it is merged or withdrawn';
 COMMENT ON COLUMN stored_alarm.signals_together IS 'How many these are; 1 if it opened alone';
 
 -- Alarm event: each change of an episode that somebody may want to be told, in order. A notifier remembers the largest seq
--- that it has seen.
+-- that it has seen, and sends one message for an incident: the first opening of it, and of each later change the first of
+-- those that were noticed together.
 CREATE OR REPLACE VIEW stored_alarm_event AS
 SELECT
-  watching.name AS monitor,
+  told.monitor AS monitor,
   told.seq AS seq,
   told.episode_id AS episode_id,
   told.what AS what,
-  MAKE_TIMESTAMP(told.noticed_at) AS noticed_at,
-  named.asset AS asset,
-  named.channel AS channel,
+  told.noticed_at AS noticed_at,
+  told.asset AS asset,
+  told.channel AS channel,
   told.status AS status,
-  told.is_proving AS is_proving
-FROM stored_episode AS told
-JOIN stored_monitor AS watching ON watching.monitor_id = told.monitor_id
-JOIN stored_channel AS named ON named.channel_id = told.channel_id
-WHERE told.what <> 'changed';
+  told.is_proving AS is_proving,
+  told.basis AS basis,
+  told.incident_id AS incident_id,
+  told.signals_together AS signals_together,
+  CASE WHEN told.place = 1 THEN 1 ELSE 0 END AS is_message
+FROM (
+  SELECT
+    raised.monitor AS monitor,
+    changed.seq AS seq,
+    changed.episode_id AS episode_id,
+    changed.what AS what,
+    MAKE_TIMESTAMP(changed.noticed_at) AS noticed_at,
+    raised.asset AS asset,
+    raised.channel AS channel,
+    changed.status AS status,
+    changed.is_proving AS is_proving,
+    raised.basis AS basis,
+    raised.incident_id AS incident_id,
+    raised.signals_together AS signals_together,
+    CAST(
+      ROW_NUMBER() OVER (
+        PARTITION BY
+          raised.monitor,
+          CASE WHEN raised.incident_id IS NULL THEN -changed.episode_id ELSE raised.incident_id END,
+          changed.what,
+          CASE WHEN changed.what = 'opened' THEN 0 ELSE changed.noticed_at END
+        ORDER BY changed.seq
+      ) AS BIGINT
+    ) AS place
+  FROM stored_episode AS changed
+  JOIN stored_monitor AS watching ON watching.monitor_id = changed.monitor_id
+  JOIN stored_alarm AS raised ON raised.monitor = watching.name AND raised.episode_id = changed.episode_id
+  WHERE changed.what <> 'changed'
+) AS told;
 
 COMMENT ON VIEW stored_alarm_event IS 'Changes of episodes; one row per change, seq only grows within a monitor';
 COMMENT ON COLUMN stored_alarm_event.monitor IS 'The monitor';
@@ -201,6 +241,13 @@ COMMENT ON COLUMN stored_alarm_event.asset IS 'The machine';
 COMMENT ON COLUMN stored_alarm_event.channel IS 'The signal';
 COMMENT ON COLUMN stored_alarm_event.status IS 'Of the episode from then on';
 COMMENT ON COLUMN stored_alarm_event.is_proving IS '1 if it opened right after calibration, else 0';
+COMMENT ON COLUMN stored_alarm_event.basis
+  IS 'What its rate of false alarms rests on; indicator: it has no limit of judgements, and no rate can be stated';
+COMMENT ON COLUMN stored_alarm_event.incident_id
+  IS 'The incident that it is a part of now, as in alarm; NULL if it is merged or withdrawn';
+COMMENT ON COLUMN stored_alarm_event.signals_together IS 'How many episodes the incident has; 0 likewise';
+COMMENT ON COLUMN stored_alarm_event.is_message
+  IS '1 if it is what an incident is told by: its first opening, or the first of other changes noticed together; else 0';
 
 -- Alarm band: in which part of the range an episode stands out: the novel vectors of its first five judgements, less those
 -- that as many vectors there held in calibration. A band begins and ends at edges of bins, which calibration saw.
@@ -306,7 +353,7 @@ LEFT JOIN (
       own.g AS g,
       CAST(ROW_NUMBER() OVER (PARTITION BY own.version_id ORDER BY own.limit_no DESC) AS BIGINT) AS limits_back
     FROM stored_limit AS own
-    WHERE own.reason IS NULL
+    WHERE own.height IS NOT NULL
   ) AS limited ON limited.version_id = part.version_id AND limited.g = part.g
   WHERE limited.limits_back = 1
 ) AS taught ON taught.version_id = told.version_id AND taught.band = told.band;

@@ -34,6 +34,9 @@ _ORDERED_BLOCKS, _DRIFTING_BLOCKS = 18, 40
 _UNREPRESENTATIVE, _UNLIKE, _DRIFTING = 1500, 1100, 1050
 _LARGEST_EXTENT = 3_000_000_000
 
+#: Why a channel is not judged whose calibration is no fair sample of what follows.
+UNREPRESENTATIVE = "unrepresentative"
+
 Row = dict[str, Any]
 
 
@@ -81,7 +84,7 @@ def judgements(
     alarms: Alarms | None = None,
     engine: Any = None,
 ) -> pa.Table:
-    """Return the judgements of each channel that has a limit: full windows that do not overlap.
+    """Return the judgements of each channel that is judged: full windows that do not overlap.
 
     Args:
         source: as in :func:`gam_db.health_indicator`.
@@ -93,8 +96,8 @@ def judgements(
     Returns:
         One row per judgement, ordered: asset, channel, judgement (from 0), first_time, last_time (of its
         vectors, as in the source), novel (of W vectors), root (of that, in thousandths), reference,
-        height, evidence (likewise), is_open (0 or 1), last_zero (the latest judgement without evidence,
-        NULL if there was none).
+        height, evidence (likewise), is_open (0 or 1), last_zero (the latest judgement that an onset
+        cannot lie before: without evidence, or open before this one; NULL if there was none).
 
     Raises:
         UserError: see its subclasses; the message says what to mend.
@@ -118,9 +121,10 @@ def episodes(
     Returns:
         One row per episode, ordered: asset, channel, episode (from 1 in its channel), onset (the
         judgement in which its evidence left 0), first_judgement and last_judgement (the open ones),
-        onset_time, first_time, last_time, is_open (1 if it goes on), is_proving (1 if it opened within
-        as many judgements as calibration has blocks, so that either calibration was no fair sample or
-        something changed right after it).
+        onset_time, first_time, last_time, evidence (the highest), height (1 where its indicator opened
+        it, as its judgements have no limit), is_open (1 if it goes on), is_proving (1 if it opened
+        within as many judgements as calibration has blocks, so that either calibration was no fair
+        sample or something changed right after it).
     """
     with studied(source, parameters, calibration, engine) as study:
         return _judged(study, alarms, "episodes")
@@ -141,11 +145,12 @@ def limits(
     Returns:
         One row per channel, ordered: asset, channel, family (from 0), blocks (of calibration, of a
         window or more), g, centre, spread, reference, height, cap (in thousandths of a root), quarters
-        (the height in quarters of a spread), basis (replay, extrapolated, table, drifting or none),
+        (the height in quarters of a spread), basis (replay, extrapolated, table, drifting or none;
+        indicator where there is no limit and the health indicator judges, with a height of 1),
         order_ratio (in thousandths, NULL with fewer than 18 blocks), judgements_per_day (NULL on a
         counter), rate (asked for, per judgement), stated_rate (that the height is for, at least 0.5 per
-        1,000; NULL where none can be stated), reason (why there is no limit, and all that follows from
-        one is NULL).
+        1,000; NULL where none can be stated), reason (why there is no limit: then centre, spread,
+        quarters and rates are NULL, and without the indicator all that follows from one is).
     """
     with studied(source, parameters, calibration, engine) as study:
         rows = limits_of(study, alarms or Alarms())
@@ -158,8 +163,12 @@ def _judged(study: Study, alarms: Alarms | None, step: str) -> pa.Table:
 
 
 def judge(study: Study, rows: Sequence[Row]) -> list[Row]:
-    """Let a study judge by limits, as :func:`limits_of` returns them; return those that there are."""
-    frozen = [row for row in rows if row["reason"] is None]
+    """Let a study judge by limits, as :func:`limits_of` returns them; return those that judged.
+
+    A channel without a limit of judgements is judged by its indicator, where that has a limit.
+    """
+    judging = [row for row in rows if row["reason"] is None or row.get("basis") == "indicator"]
+    frozen = [{**row, "blocks": 0} if row["reason"] is not None else row for row in judging]
     study.load("frozen_limits", table_of(frozen, FROZEN))
     add_judgements(study.steps, study.method, study.instant_of)
     return frozen
@@ -177,6 +186,7 @@ def add_status(study: Study, alarms: Alarms) -> None:
     add(study.steps, "judgement/raised")
     add_judged(study.steps, "raised")
     add_standing(study.steps)
+    add(study.steps, "judgement/machines", name="ranked_machines", tables={"signals": "standing"})
 
 
 def limits_of(study: Study, alarms: Alarms) -> list[Row]:
@@ -227,7 +237,22 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
         row["family"] = row["family_no"]
         if row["reason"] is not None:
             row |= {"centre": None, "spread": None}
+            if row["hi_limit"] is not None and row["reason"] != UNREPRESENTATIVE:
+                row |= indicated(row["hi_limit"], row["window_length"])
     return near
+
+
+def indicated(hi_limit: float, window: int) -> Row:
+    """Return what judges a channel by its indicator, where its judgements have no limit.
+
+    A window is raised where more of its W vectors are novel than hi_limit W, and opens an episode at
+    once: no other height is 1. No rate can be stated.
+    """
+    count = math.floor(hi_limit * window)
+    count += (count + 1) / window <= hi_limit
+    count -= count / window > hi_limit
+    root = math.floor(math.sqrt(1_000_000 * count + 375_000))
+    return {"reference": root, "height": 1, "cap": 1, "basis": "indicator"}
 
 
 def day_of(kind: TimeKind) -> int | None:
@@ -253,7 +278,7 @@ def _reason(row: Row, day: int | None) -> str | None:
     if row["blocks"] * row["extent"] > _LARGEST_EXTENT:
         return "counts of calibration too far apart"
     if row["blocks"] >= _ORDERED_BLOCKS and row["order_ratio"] > _UNREPRESENTATIVE:
-        return "unrepresentative"
+        return UNREPRESENTATIVE
     if day is not None and row["judgements_per_day"] is None:
         return "calibration has no length"
     return None

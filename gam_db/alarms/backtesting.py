@@ -61,7 +61,7 @@ def backtest(
     alarms = alarms or Alarms()
     with studied(source, parameters, calibration, engine) as study:
         rows = limits_of(study, alarms)
-        frozen = judge(study, rows)
+        frozen = judge(study, [row for row in rows if row["reason"] is None])
         add_backtested(study.steps, merge(closed("healthy", healthy or (), study.method.kind)))
         found = study.rows("backtested")
     if not frozen:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from gam_db.alarms import backtesting
+from gam_db.alarms import UNREPRESENTATIVE, backtesting
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
@@ -25,7 +25,7 @@ from gam_db.stored.state import kind_of
 _SHOWN = 20
 
 _KINDS = ", ".join(stored.KINDS)
-_MARKS = {"proving": "?", "open": "!"}
+_MARKS = {"proving": "?", "open": "!", "high": "!"}
 _RATES = ("stated", "seen", "lower", "upper", "resampled_lower", "resampled_upper")
 
 
@@ -46,8 +46,9 @@ def alarms(
         if new:
             changes = stored.events(state, name, after).to_pylist()
             newest = max((row["seq"] for row in changes), default=after)
-            figures: Row = {"monitor": name, "seq": newest, "changes": changes}
-            page.tell(figures, lambda out: _show_changes(out, changes, shown_in), common)
+            messages = [row for row in changes if row["is_message"]]
+            figures: Row = {"monitor": name, "seq": newest, "messages": messages, "changes": changes}
+            page.tell(figures, lambda out: _show_messages(out, messages, newest, shown_in), common)
             return
         rows, judged = stored.alarms(state, name).to_pylist(), stored.limits(state, name)
     urgent = any(row["needs_attention"] for row in rows)
@@ -125,9 +126,24 @@ def label(
         of["until"] = _read(dt.datetime.fromisoformat, until, refusal)
     with state_of(settings, writable=True) as state:
         found = stored.label(state, name, kind, note=note, instead=instead, **of)
+        rows = [row for row in stored.alarms(state, name).to_pylist() if row["episode"] in found]
+        judged = {(row["asset"], row["channel"]): row["reason"] for row in stored.limits(state, name)}
     figures = {"monitor": name, "kind": kind, "episodes": found}
-    told = ", ".join(map(str, found)) or "none yet"
-    page.tell(figures, lambda out: page.say(out, f"episodes: {told}"), common)
+    page.tell(figures, lambda out: page.say(out, *_said_of_label(first, kind, rows, judged)), common)
+
+
+def _said_of_label(
+    first: str, kind: str, rows: Sequence[Row], judged: Mapping[tuple[str, str], str | None]
+) -> Iterator[str]:
+    """Yield what a label did: of which episodes it is said, and what follows."""
+    said = page.WORDS["label"]
+    if not rows:
+        yield said["nothing"].format(asset=printable(first), kind=kind)
+    for row in rows:
+        name = printable(f"{row['asset']} {row['channel']}")
+        is_off = judged[row["asset"], row["channel"]] == UNREPRESENTATIVE and kind == "false_alarm"
+        what = said["judged_no_more" if is_off else kind].format(until=row["label_until"] or "it ends")
+        yield f"episode {row['episode']} ({name}, {row['status']}) is labelled {kind}: {what}"
 
 
 @options.of_state(*options.ALARMS, *options.STATE, *options.PAGE)
@@ -157,7 +173,7 @@ def limits(
         columns: dict[str, page.Cell] = {
             "channel": page.name_in(shown),
             "basis": "basis",
-            "height": "height",
+            "height": lambda row: row["height"] if row["reason"] is None else None,
             "blocks": lambda row: row["blocks"] or 0,
             "no limit, since": lambda row: row["reason"] or "",
         }
@@ -223,6 +239,8 @@ def said_of(rows: Sequence[Row]) -> Iterator[str]:
         yield f"{count} of which no rate can be stated; they are judged all the same"
     for reason, count in sorted(told["withheld"].items()):
         yield f"{number_of(count, 'channel')} without a limit: {reason}"
+    if indicated := sum(row["basis"] == "indicator" for row in rows):
+        yield f"{number_of(indicated, 'channel')} judged by the health indicator: no rate can be stated"
 
 
 def _said_of_backtest(found: Row) -> Iterator[str]:
@@ -268,13 +286,13 @@ def _show_episodes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> N
         "channel": page.name_in(rows),
         "status": "status",
         **page.when("since", "since", rows, shown_in),
-        "sure": lambda row: f"{row['sure']:.1f}",
+        "sure": lambda row: None if row["sure"] is None else f"{row['sure']:.1f}",
         "basis, per 1,000": rate,
         "open of machine": "signals_open",
         "label": lambda row: row["label"] or "",
     }
     page.table(out, rows, columns, mark, ("channel", "status", "basis, per 1,000", "label"))
-    for row in {row["group"]: row for row in rows if row["signals_together"] > 1}.values():
+    for row in {row["incident"]: row for row in rows if row["signals_together"] > 1}.values():
         machine = printable(row["asset"])
         page.say(out, page.WORDS["alarms"]["together"].format(machine=machine, **row))
     if any(row["status"] == "proving" for row in rows):
@@ -316,8 +334,15 @@ _OF_BAND: Mapping[str, page.Cell] = {
 }
 
 
-def _show_changes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:
+def _show_messages(out: page.Out, rows: Sequence[Row], newest: int, shown_in: dt.tzinfo) -> None:
+    """Print one line per message, each behind the newest change that is known by then."""
     for row in rows:
         name = printable(f"{row['asset']} {row['channel']}")
         when = page.time_text(row["noticed_at"], shown_in, named=True)
-        page.say(out, f"{row['seq']}  {when}  episode {row['episode_id']} {row['what']}: {name}")
+        others = row["signals_together"] - 1
+        beside = f" and {number_of(others, 'other signal')}" if others > 0 else ""
+        by = ", by its indicator: no rate can be stated" if row["basis"] == "indicator" else ""
+        told = f"episode {row['episode_id']} {row['what']}: {name}{beside}{by}"
+        page.say(out, f"{row['seq']}  {when}  {told}")
+    if rows and newest > rows[-1]["seq"]:
+        page.say(out, f"the newest change is {newest}")

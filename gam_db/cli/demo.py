@@ -10,10 +10,10 @@ from gam_db.alarms import Alarms
 from gam_db.cli import page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import job_of
-from gam_db.cli.once import show
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
 from gam_db.cli.report import checked, page_of, told
+from gam_db.cli.summary import show
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError
 from gam_db.findings import findings

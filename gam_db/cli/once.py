@@ -1,10 +1,8 @@
 """``gam run``: from a recording to the findings of every channel, nothing kept."""
 
-import datetime as dt
 import os
 import re
-from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import entry_points
@@ -15,27 +13,21 @@ from typing import Any, Literal
 from pyarrow import ArrowInvalid, parquet
 
 from gam_db.address import is_url
-from gam_db.alarms import Alarms
-from gam_db.checking.notes import EXACT_UP_TO, SENTENCES
-from gam_db.checking.words import number_of
-from gam_db.cli import automatic, options, page, pools
-from gam_db.cli import programs as of_programs
+from gam_db.cli import options, page
 from gam_db.cli.config import Settings
-from gam_db.cli.job import Job, job_of
+from gam_db.cli.job import job_of
 from gam_db.cli.options import option
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.cli.report import checked, page_of
-from gam_db.clock import SINCE_1970, epoch_unit, shown_instant, zone
+from gam_db.cli.summary import ahead_of, summarised
+from gam_db.clock import zone
 from gam_db.engines.connecting import connect
 from gam_db.engines.duckdb.files import SOURCE_MARK
 from gam_db.errors import ConfigurationError, printable, wrong
-from gam_db.findings import Row, findings, is_blind, lack_data, need_attention
 from gam_db.reading.ahead import ahead_sentences
 from gam_db.report import Wishes
 from gam_db.settings.source import FILE_ENDINGS, is_file, paths_of
 from gam_db.stored.lengths import park_after
-from gam_db.study import Study
-from gam_db.study.automatic import Siblings
 
 #: The estimator that is the method itself; others come by the entry points ``gam_db.estimators``.
 DSE = "dse"
@@ -122,161 +114,12 @@ def run(
     )
 
 
-def ahead_of(study: Study) -> list[Row]:
-    """Return the channels of a study with rows that are later than now, as --json prints them."""
-    kind = study.method.kind
-    return [{**row, "ahead_to": shown_instant(row["ahead_to"], kind)} for row in study.ahead]
-
-
 def _others(estimator: str) -> Any:
     try:
         others = next(found.load() for found in entry_points(group="gam_db.estimators"))
     except (StopIteration, ModuleNotFoundError) as error:
         raise wrong("estimator_of_laboratory", estimator=estimator, own=DSE) from error
     return others
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Summary:
-    """What ``gam run`` says of a source: printed it is that page, and its rows are here.
-
-    Attributes:
-        job: source and method, as they were resolved.
-        channels: a row (dict) per channel, the most urgent first: what :func:`gam_db.support` has of it;
-            ``status``, ``urgency``, ``needs_attention``, ``judged_by``, ``hi``, ``is_above``, and of its
-            newest episode ``episode``, ``onset`` and ``is_open``; ``course``, (points,) the health
-            indicator so far, with ``course_from`` and ``last_time``; ``remarks``, sentences.
-        programs: what :func:`gam_db.programs` returns, as rows; empty where the source names none.
-        siblings: channels that share settings which calibration chose.
-        ahead: channels with rows that are later than now, which are left out, and how many.
-        sentences: what is to be said of these.
-    """
-
-    job: Job
-    channels: list[Row]
-    programs: list[Row]
-    siblings: list[Siblings]
-    ahead: list[Row]
-    sentences: list[str]
-
-    @property
-    def needs_attention(self) -> bool:
-        """Tell whether a channel needs attention, or would show no shift (exit code 2)."""
-        return need_attention(self.channels) or any(map(is_blind, self.channels))
-
-    @property
-    def lacks_data(self) -> bool:
-        """Tell whether something of the data has to be mended (exit code 4)."""
-        return lack_data(self.channels) or bool(of_programs.unjudged(self.programs) or self.ahead)
-
-    def figures(self) -> dict[str, Any]:
-        """Return what ``gam run --json`` prints of the channels."""
-        found = self.channels
-        return {
-            "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
-            "verdicts": Counter(row["verdict"] for row in found),
-            "chosen": automatic.figures(self.siblings),
-            "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
-            "needs_attention": self.needs_attention,
-            **({} if self.job.guess.source.program is None else {"programs": self.programs}),
-            "ahead": self.ahead,
-        }
-
-    def show(self, out: page.Out, everything: bool = False, shown_in: dt.tzinfo = dt.UTC) -> None:
-        """Print it."""
-        told = self.channels, everything, shown_in, self.siblings, self.programs
-        show(out, self.job, *told)
-        page.say(out, *self.sentences)
-
-    def text(self, everything: bool = False, time_zone: str = "UTC", width: int | None = None) -> str:
-        """Return what ``gam run`` prints.
-
-        Args:
-            everything: every channel, not only the 40 most urgent, and all remarks (``--all``).
-            time_zone: in which times are shown, such as Europe/Berlin.
-            width: in characters; None for that of the terminal, or 80.
-
-        Raises:
-            ConfigurationError: there is no such time zone.
-        """
-        out = page.text_console(width)
-        self.show(out, everything, zone(time_zone))
-        return str(out.file.getvalue())  # type: ignore[attr-defined]
-
-    def __str__(self) -> str:
-        return self.text()
-
-    __repr__ = __str__  # what a notebook shows
-
-
-def summarised(study: Study, job: Job, alarms: Alarms, longest: int | None = None) -> Summary:
-    """Return what is found of a study; *longest* is as for :func:`findings`."""
-    found = findings(study, alarms, longest)
-    programs: list[Row] = []
-    if study.method.programs is not None:  # by way of Arrow: instants may have a zone
-        programs = study.table("program_summary").to_pylist()
-    sentences = ahead_sentences(study.ahead, len(found), study.clock)
-    return Summary(job, found, programs, study.siblings, ahead_of(study), sentences)
-
-
-def show(
-    out: page.Out,
-    job: Job,
-    found: Sequence[Row],
-    everything: bool = False,
-    shown_in: dt.tzinfo = dt.UTC,
-    siblings: Sequence[Siblings] = (),
-    programs: Sequence[Row] = (),
-) -> None:
-    """Print what was found of each channel, what calibration chose for siblings, and what it lacks."""
-    samples = sum(row["samples"] for row in found)
-    page.say(out, f"{printable(job.name)}: {page.amount(found)}, {samples:,} samples{job.settings}")
-    page.say(out, *pools.lines(found, job.calibration))
-    page.say(out, *job.lines())
-    out.print()
-    shown = found if everything else found[: options.SHOWN]
-    page.channels(out, shown, "last_time", "all that is scored", shown_in, everything)
-    page.cut(out, found, everything, page.counted)
-    out.print()
-    page.say(out, f"verdicts: {page.verdicts(found)}")
-    judged = Counter(row["judged_by"] for row in found)
-    by = [(said, judged[name]) for name, said in _JUDGED_BY if judged[name]]
-    words = ", ".join(f"{said}: {count:,}" if len(by) > 1 else said for said, count in by)
-    page.say(out, f"channels: {page.counted(found)}{f'; judged by {words}' if words else ''}")
-    page.say(out, *page.unseen(found))
-    lacking = of_programs.lines(programs)
-    page.say(out, *(lacking if everything else lacking[: options.SHOWN]))
-    page.cut(out, lacking, everything, what=" programs")
-    if silent := sum(row["silent"] for row in found):
-        page.say(out, f"silent: {silent:,}")
-    if job.parameters.is_open:
-        page.say(out, *automatic.lines(siblings, everything))
-        taken = sorted(Counter(row["bins"] for row in found).items(), reverse=True)
-        page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")
-    page.say(out, *page.advice(found))
-    ends = [row["last_time"] for row in found if isinstance(row["last_time"], int)]
-    if ends and (unit := epoch_unit(min(ends), max(ends))):
-        like = f"time looks like {SINCE_1970[unit][0]} since 1970, and is taken as a counter"
-        page.say(out, f"{like}; --time-unit {unit} makes calendar time of it")
-    if short := sum(
-        row["hi_limit"] is not None and 0 < row["calibration_vectors"] < 8 * row["window"]
-        for row in found
-    ):
-        page.say(out, page.WORDS["run"]["short"].format(short=short))
-    value = getattr(job.guess.source, "value", None)
-    if beyond := sum(
-        (value or row["channel"]) in job.exact
-        and max(abs(row["calibrated_lo"] or 0), abs(row["calibrated_hi"] or 0)) >= EXACT_UP_TO
-        for row in found
-    ):
-        page.say(out, f"{number_of(beyond, 'channel')} of {SENTENCES['beyond']}")
-    if not (need_attention(found) or any(map(is_blind, found)) or lack_data(found) or lacking):
-        page.say(out, "nothing needs attention")
-    page.say(out, page.legend(found, everything))
-
-
-#: Values of judged_by, and what they mean.
-_JUDGED_BY = (("episode", "episodes"), ("indicator", "the health indicator and its limit"))
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,7 @@ PLAIN_BLOCKS = "_.,-=+*#"
 """The same scale, for a terminal that has no block characters."""
 
 MARKS = {"proving": "!", "open": "!", "high": "!", "setup": "?", "waiting": "~"}
-_STYLES = {"!": "bold red", "?": "yellow", "~": "cyan"}
+_STYLES = {"!": "bold red", "?": "yellow", "^": "yellow", "~": "cyan"}
 #: What pages say, by what it is of.
 WORDS: Mapping[str, Mapping[str, str]] = data.table("gam_db.cli", "words.toml")
 
@@ -241,9 +241,11 @@ def channels(
         "HI": lambda row: share(assessed(row, "hi")),
         **({"trend": lambda row: rise(assessed(row, "trend"))} if rows and "trend" in rows[0] else {}),
         "HI, 0 to 1": lambda row: Course(() if assessed(row, "course") is None else row["course"]),
-        **when("last", time, rows, zone),
+        **(when("since", "onset", rows, zone) if any(row["onset"] is not None for row in rows) else {}),
     }
-    table(out, rows, columns, marked, ("verdict", "bins"), ("sees",))
+    last = when("last", time, rows, zone)
+    spare = ("sees", *last)  # since when a signal is above comes before when its data ends
+    table(out, rows, columns | last, marked, ("verdict", "bins"), spare)
     known = [row for row in rows if row["course_from"] is not None and row["last_time"] is not None]
     if known:
         first, last = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
@@ -263,6 +265,8 @@ def assessed(row: Row, name: str) -> Any:
 def marked(row: Row) -> str:
     """Return the mark of a channel, or of a machine, by its status."""
     mark = MARKS.get(row["status"], " ")
+    if mark == " " and row.get("is_far_above"):
+        return "^"
     return "?" if mark in " ~" and row.get("verdict") == "blind" else mark
 
 
@@ -334,8 +338,15 @@ def _tally(rows: Iterable[Row], of: str) -> str:
     return ", ".join(f"{count[name]:,} {said}" for name, said in WORDS[of].items() if count[name])
 
 
-#: How many calibrations have which verdict; how many channels are what, the most urgent first.
-verdicts, counted = partial(_tally, of="verdict"), partial(_tally, of="status")
+#: How many calibrations have which verdict.
+verdicts = partial(_tally, of="verdict")
+
+
+def counted(rows: Iterable[Row]) -> str:
+    """Return how many channels are what, the most urgent first; none far above its limit is ok."""
+    far = {"status": "far above"}
+    said = (row | far if row["status"] == "ok" and row["is_far_above"] else row for row in rows)
+    return _tally(said, of="status")
 
 
 def unseen(rows: Sequence[Row]) -> list[str]:

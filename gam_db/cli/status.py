@@ -1,25 +1,23 @@
 """``gam status``: how every channel is, and by what it is judged."""
 
 import datetime as dt
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import pyarrow as pa
 import pyarrow.compute as pc
 
 from gam_db.checking.words import number_of, percent
+from gam_db.cli import machines as of_machines
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place
 from gam_db.cli.options import option
 from gam_db.clock import TimeKind, instant, shown_instant, shown_length, zone
-from gam_db.errors import ConfigurationError, printable
-from gam_db.findings import Row, need_attention, share
+from gam_db.errors import ConfigurationError
+from gam_db.findings import Row, need_attention
 from gam_db.stored import status as stored_status
 from gam_db.stored.checking.proving import Proof
 from gam_db.stored.state import State
-
-ASSETS = 20
-"""Assets shown unless all are asked for."""
 
 
 @options.of_state(*options.STATE, "park_after", *options.PAGE, "time_zone")
@@ -40,6 +38,7 @@ def status(
         seen = stored_status.assessed(state, name, silence, shown_in=shown_in)
         proof = stored_status.proved(state, name)
         held = stored_status.validity(state, name)
+        found = stored_status.machines(state, name, seen.channels)
     if asset is not None:
         seen = seen.of_assets(asset)
         if not seen.channels.num_rows:
@@ -49,12 +48,13 @@ def status(
     if proof is not None:
         proved = vars(proof) | {"proved_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP)}
         del proved["extent"]
-    urgent, assets = need_attention(channels.to_pylist()), stored_status.by_asset(channels)
+    urgent = need_attention(channels.to_pylist())
+    machines = found.filter(pc.is_in(found["asset"], pc.unique(channels["asset"])))
     figures = {
         **place(settings),
         "proved": proved,
         "channels": channels,
-        "assets": assets,
+        "machines": machines,
         **raised(channels),
         "valid_when": held,
         **both_lists(channels, problems),
@@ -63,7 +63,7 @@ def status(
     def show(out: page.Out) -> None:
         newest = page.time_text(pc.max(channels["last_data"]).as_py(), shown_in, named=True)
         rows = channels.to_pylist()
-        counted = f"{watched(channels)} watched, of {number_of(len(assets), 'asset')}"
+        counted = f"{watched(channels)} watched, of {number_of(len(machines), 'asset')}"
         page.say(out, f"{heading(settings)}: {counted}, newest data {newest}")
         page.say(out, _proof(proof, dt.datetime.now(dt.UTC)), *validity(held))
         out.print()
@@ -73,8 +73,8 @@ def status(
         page.channels(out, common.of(rows), "last_data", "of late", shown_in, common.everything)
         page.cut(out, rows, common.everything, page.counted)
         out.print()
-        if len(assets) > 1:
-            _show_assets(out, assets.to_pylist(), common)
+        if len(machines) > 1:
+            of_machines.show(out, machines.to_pylist(), shown_in, common.everything)
         if problems.num_rows:
             page.problems(out, problems, common.everything)
             out.print()
@@ -92,26 +92,9 @@ def _proof(proof: Proof | None, now: dt.datetime) -> str:
     return f"the state was last compared with its source {ago} ago: {found} (gam check --state)"
 
 
-def _show_assets(out: page.Out, rows: Sequence[Row], common: options.Common) -> None:
-    shown = common.of(rows, ASSETS)
-    columns: dict[str, page.Cell] = {
-        "asset": "asset",
-        "worst channel": lambda row: printable(row["channel"]),
-        "HI": lambda row: share(page.assessed(row, "hi")),
-        "trend": lambda row: page.rise(page.assessed(row, "trend")),
-        "channels": "channels",
-    }
-    for name in ("need_attention", "silent"):
-        if any(row[name] for row in shown):
-            columns[name.replace("_", " ")] = name
-            shown = [row | {name: row[name] or None} for row in shown]
-    page.table(out, shown, columns, page.marked, ("worst channel",))
-    page.cut(out, rows, common.everything, most=ASSETS, what=" assets")
-    out.print()
-
-
 def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
     yield "channels: " + page.counted(channels.to_pylist())
+    yield from of_machines.far_above(channels.to_pylist())
     yield from page.unseen(channels.to_pylist())
     if fewer := pc.sum(pc.less(channels["calibration_rows_added"], 0)).as_py():
         yield f"{fewer:,} of whose calibration the source holds fewer rows than were learnt"
@@ -135,6 +118,8 @@ def both_lists(channels: pa.Table, problems: pa.Table) -> Row:
         "hi_limit",
         "episode",
         "onset",
+        "label",
+        "is_far_above",
         "limit_reason",
         "remarks",
     ]

@@ -67,7 +67,7 @@ def queries(engine: str, tables: StateTables, monitor: str) -> dict[str, str]:
             doubled = (exp.Literal.string("\\"), exp.Literal.string("\\\\"))
             slots[f"{role}_value"] = exp.Anonymous(this="replaceAll", expressions=[said, *doubled])
     found: dict[str, str] = {}
-    for name in ("assets", "channels", "counts", "machines", "indicator", "signals", "alert"):
+    for name in ("assets", "channels", "counts", "machines", "ranked", "indicator", "signals", "alert"):
         path = f"export/grafana_{name}"
         wanted = template.load(path).slots
         tree = filled(path, {slot: value for slot, value in slots.items() if slot in wanted})

@@ -30,12 +30,14 @@ def limit_of(target_floor: exp.Expr) -> exp.Expr:
 
 #: What a channel is judged by beside its verdict, where it is known.
 _KNOWN = {"hi": "DOUBLE", "has_limit": "BIGINT", "raised": "VARCHAR", "asks": "BIGINT"}
+_KNOWN |= {"label": "VARCHAR", "sure": "DOUBLE"}
 
 
 def add_judged(steps: Pipeline, assessed: str = "assessed", name: str = "judged") -> None:
     """Add the step that judges channels, over one with a row per channel: verdict and hi_limit.
 
-    Without hi nothing is scored yet; without has_limit, raised and asks there are no episodes.
+    Without hi nothing is scored yet; without has_limit, raised, label, sure and asks there are no
+    episodes.
     """
     columns = steps.steps[assessed].query.named_selects
     slots: dict[str, template.Slot] = {

@@ -33,8 +33,7 @@ from gam_db.version import __version__
 
 __all__ = ["Wishes", "page", "write"]
 
-#: New is what left health within a day of the newest data; where time is counted within its last
-#: window; and if episodes judge it, within its last three.
+#: New is what left health within a day of the newest data, or within its last three windows.
 DAY = 86_400 * SECOND
 
 #: Above so many signals a page gets fewer columns, and above the last one it is refused.
@@ -46,8 +45,9 @@ _OF_ALARM = {name: name for name in ("status", "label", "note", "evidence", "hei
 _OF_ALARM |= {"id": "episode_id", "proving": "is_proving"}
 
 #: What is told of each machine, as the view calls it.
-_OF_MACHINE = {name: name for name in ("asset", "signals", "judged", "above", "together")}
-_OF_MACHINE["notJudged"] = "not_judged"
+_OF_MACHINE = {name: name for name in ("asset", "signals", "watched", "judged", "above", "together")}
+_OF_MACHINE |= {"notJudged": "not_judged", "notWatched": "not_watched", "first": "first_channel"}
+_OF_MACHINE |= {"strongest": "strongest_channel", "strength": "strength"}
 
 #: What is told of each data problem.
 _OF_PROBLEM = ("kind", "asset", "channel", "sentence", "advice")
@@ -242,7 +242,11 @@ def _ranked(
         far = max((hi or 0.0) - limit, 0.0) / max(1 - limit, 1e-9) if is_above else 0.0
         row["is_new"] = is_above and _is_new(row, courses[row["place"]], kind, newest)
         row["urgency"] = (
-            3 * row["is_new"] + is_above + far + 0.5 * row["is_rising"] - (row["is_above"] is None)
+            3 * row["is_new"]
+            + is_above
+            + far
+            + 0.5 * row["is_rising"]
+            - (row["is_above"] is None or row["status"] == "labelled")
         )
     signals.sort(key=lambda row: (-row["urgency"], -(row["hi"] or 0.0), row["asset"], row["channel"]))
     ordered = [courses[row["place"]] for row in signals]
@@ -254,24 +258,23 @@ def _ranked(
 def _is_new(row: Row, course: dict[str, NDArray[Any]], kind: TimeKind, newest: int | None) -> bool:
     if row["since_tick"] is None or row["at_least"] or newest is None:
         return False
-    by_episode = row["judged_by"] == "episode"  # none opens within its first window
-    if not kind.is_counter and (row["since_tick"] > newest - DAY or not by_episode):
-        return bool(row["since_tick"] > newest - DAY)
-    buckets = max(1, (3 if by_episode else 1) * row["window_length"] // row["stride"])
+    if not kind.is_counter and row["since_tick"] > newest - DAY:
+        return True
+    buckets = max(1, 3 * row["window_length"] // row["stride"])  # an onset lies before the opening
     return bool(row["since_tick"] >= course["first"][-buckets:][0])
 
 
 def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
-    """Return the machines, the one with the most urgent signal first."""
-    rows = state.rows("report/machines", {"monitor": template.text(monitor)})
-    found = {row["asset"]: row for row in rows}
+    """Return the machines of the signals, the one to be looked at first being first."""
+    shown = {row["asset"] for row in signals}
     return [
         {
-            **{told: found[name][of] for told, of in _OF_MACHINE.items()},
-            "since": tick(found[name]["since_tick"]),
-            "at": tick(found[name]["data_tick"]),
+            **{told: row[of] for told, of in _OF_MACHINE.items()},
+            "since": tick(row["since_tick"]),
+            "at": tick(row["data_tick"]),
         }
-        for name in dict.fromkeys(row["asset"] for row in signals)
+        for row in state.rows("report/machines", {"monitor": template.text(monitor)})
+        if row["asset"] in shown
     ]
 
 

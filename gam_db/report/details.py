@@ -110,16 +110,17 @@ def read(
 
 
 def onset_of(row: Row, course: Any, end: int) -> int:
-    """Return the instant of the piece: half a window before the onset, else before the highest."""
+    """Return the instant of the piece: the middle of the window of the onset, or of the highest."""
     hi, last = course["hi"], course["last"]
-    if row["since_tick"] is not None:
+    half = max(1, row["window_length"] // row["stride"] // 2)
+    if row["since_tick"] is not None and len(last):  # the onset is where its window begins
         place = int(np.searchsorted(last, row["since_tick"]))
-    elif len(hi) and np.isfinite(hi).any():
+        return int(last[min(place + half - 1, len(last) - 1)])
+    if len(hi) and np.isfinite(hi).any():
         place = int(np.nanargmax(hi))
     else:
         return int(last[-1]) if len(last) else end
-    back = max(1, row["window_length"] // row["stride"] // 2)
-    return int(last[max(0, place - back)])
+    return int(last[max(0, place - half)])
 
 
 def _envelopes(rows: pa.Table, wanted: Sequence[Row], lengths: Sequence[float]) -> dict[int, Row]:
@@ -298,6 +299,7 @@ _LISTED |= {"name": "channel", "isAbove": "is_above", "atLeast": "at_least", "by
 _LISTED |= {"episode": "episode_id", "limit": "hi_limit", "vectors": "calibration_vectors"}
 _LISTED |= {"finest": "finest_bins", "needed": "vectors_needed", "window": "window_length"}
 _LISTED |= {"version": "version_no", "target": "target_floor"}
+_LISTED |= {"label": "label", "far": "is_far_above", "strength": "strength"}
 _LISTED |= {"sees": "sees", "unseen": "would_not_see", "blind": "blind_reason"}
 _LISTED |= {"vouching": "vouching", "teachers": "taught_by", "machineFloor": "member_floor"}
 _LISTED_TIMES = (("since", "since_tick"), ("silent", "silent_for"), ("at", "data_tick"))

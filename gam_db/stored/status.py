@@ -67,12 +67,13 @@ def status(
     A row is one channel under its active version:
 
     * ``asset``, ``channel``, ``version``: its names, and which calibration it is (1, 2, ...)
-    * ``status``: proving or open (as its episode is), high (judged by its indicator, which is above
-      ``hi_limit``), setup (the calibration is not good enough to be watched, or unrepresentative),
-      waiting (less than a window is scored), blind (below its limit, but no shift of its machine would
-      show), ok, standing (it would be one of these three, and the signal stands still) or not assessed
-      (constant in calibration, or without one: never an alarm);
-      ``needs_attention``: high, setup, or an episode of it asks for it
+    * ``status``: proving or open (as its episode is), high (its indicator opened the episode, as its
+      judgements have no limit), labelled (that episode is a false alarm or a new program), setup (the
+      calibration is not good enough to be watched, or unrepresentative), waiting (less than a window is
+      scored), blind (below its limit, but no shift of its machine would show), ok, standing (it would be
+      one of these three, and the signal stands still) or not assessed (constant in calibration, or
+      without one: never an alarm);
+      ``needs_attention``: setup, or an episode of it asks for it
     * ``verdict``, ``floor``: of the certificate; ``hi_limit``, NULL where the verdict is neither ready
       nor blind;
       ``limit_reason``: why nothing judges the channel
@@ -104,7 +105,10 @@ def status(
       0: fewer); NULL if they were not counted again
     * ``judged_by``: episode, where calibration gave a limit of judgements, else indicator; NULL where
       nothing judges it; ``episode``: its open one, or that which asks; ``asking``: how many do;
-      ``onset``: since when it is proving, open or high; NULL where it is none of these
+      ``onset``: since when it is proving, open or high; NULL where it is none of these; ``label``: what
+      people said last of that episode
+    * ``is_far_above``: 1 where ``hi`` is at ten times ``hi_limit`` or more, whatever the status, else 0;
+      ``strength``: of what is above, the highest evidence over the height, or ``hi`` / ``hi_limit``
     * ``settings_hash``, ``method_hash``: what the version was made under
     * ``remarks``: what is to be known, in plain words; what is wrong with data is in
       :meth:`gam_db.Monitor.data_problems`
@@ -199,9 +203,15 @@ def as_html(rows: pa.Table) -> str:
     head = "".join(f"<th>{name}</th>" for name in names)
     body = "".join(
         f"<tr>{''.join(f'<td>{_cell(row[name])}</td>' for name in names)}</tr>"
-        for row in rows.select(names).to_pylist()
+        for row in map(_remarked, rows.to_pylist())
     )
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _remarked(row: Row) -> Row:
+    """Return a row whose status has what stands beside it: a label, or that it is far above."""
+    far = "far above" if row["is_far_above"] and row["onset"] is None else None
+    return row | {"status": ", ".join(filter(None, (row["status"], row["label"], far)))}
 
 
 def proved(state: State, monitor: str = "default") -> Proof | None:
@@ -224,26 +234,41 @@ def validity(state: State, monitor: str = "default") -> Row:
     return rows[0] if rows else {"held": 0, "invalid": 0}
 
 
-def by_asset(channels: pa.Table) -> pa.Table:
-    """Return a row per asset, the most urgent first, each with its worst channel.
+def machines(state: State, monitor: str, channels: pa.Table) -> pa.Table:
+    """Return a row per machine, the one to be looked at first being first.
 
-    Columns: ``asset``; ``channel``, ``status``, ``hi``, ``hi_limit`` and ``trend`` of its worst channel;
-    ``channels``, how many it has; ``need_attention`` and ``silent``, how many of them do and are.
+    Columns: ``asset``; ``since`` (when the first of its signals above went above), ``above``, of how
+    many ``watched`` signals, ``not_watched`` (nothing judges them), ``channels`` (all of them);
+    ``first_channel``, ``strongest_channel`` and its ``strength`` (evidence over the height, or ``hi`` /
+    ``hi_limit``); ``together`` (the most that left health within one window); ``need_attention`` and
+    ``silent``, how many of its signals do and are.
 
     Args:
-        channels: what :func:`status` returned, or some of its rows in their order.
+        state: as in :func:`status`.
+        monitor: likewise.
+        channels: what :func:`status` returned, or some of its rows: only their machines are returned.
     """
+    kind = kind_of(state.monitor(monitor))
+    counted: dict[str, list[int]] = {}
+    for row in channels.select(["asset", "needs_attention", "silent"]).to_pylist():
+        of = counted.setdefault(row["asset"], [0, 0])
+        of[0] += row["needs_attention"]
+        of[1] += row["silent"]
+    rows = [
+        row | dict(zip(("need_attention", "silent"), counted[row["asset"]], strict=True))
+        for row in state.rows("stored/state/machine_rows", {"monitor": text(monitor)})
+        if row["asset"] in counted
+    ]
     schema = columns(
-        (WORD, "asset channel status"),
-        (SHARE, "hi hi_limit trend"),
-        (COUNT, "channels need_attention silent"),
+        (WORD, "asset"),
+        (told_by(kind), "since"),
+        (COUNT, "above watched not_watched channels"),
+        (WORD, "first_channel strongest_channel"),
+        (SHARE, "strength"),
+        (COUNT, "together need_attention silent"),
     )
-    any_value = pc.ScalarAggregateOptions(skip_nulls=False)
-    worst = [(name, "first", any_value) for name in schema.names[1:6]]
-    counted = [("asset", "count"), ("needs_attention", "sum"), ("silent", "sum")]
-    rows = channels.group_by("asset", use_threads=False).aggregate([*worst, *counted])
-    made = [f"{name}_{how}" for name, how, *_ in (*worst, *counted)]
-    return rows.select(["asset", *made]).rename_columns(schema.names).cast(schema)
+    made = {one.name: pa.array([row[one.name] for row in rows], one.type) for one in schema}
+    return pa.table(made, schema=schema)
 
 
 def _courses(stretches: pa.Table) -> dict[int, tuple[NDArray[np.float64], int]]:
@@ -278,9 +303,10 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
     remarks = standing(row["still_since"], kind)
     if row["episode"] is not None:
         zone = "" if kind.is_counter else " UTC"
-        onset = row["onset"] if row["status"] in ("proving", "open") else None
+        onset = row["onset"]
         since = "" if onset is None else f" since {shown_instant(onset, kind)}{zone}"
-        remarks.append(f"episode {row['episode']}{since}: gam alarm {row['episode']}")
+        label = "" if row["label"] is None else f", labelled {row['label']}"
+        remarks.append(f"episode {row['episode']}{since}{label}: gam alarm {row['episode']}")
     if row["gone_from"] is not None:
         remarks.append(
             f"rows after {shown_instant(row['gone_from'], kind)} are gone from the source, though new "
@@ -315,7 +341,8 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
         *((time, "last_time last_data"), (TRUTH, "silent"), (time, "still_since")),
         *((pa.timestamp("us"), "looked_at"), (COUNT, "differing_contexts"), (time, "repair_from")),
         *((COUNT, "calibration_rows calibration_rows_added"), (WORD, "judged_by")),
-        *((COUNT, "episode asking"), (time, "onset"), (WORD, "settings_hash method_hash")),
+        *((COUNT, "episode asking"), (time, "onset"), (WORD, "label"), (COUNT, "is_far_above")),
+        *((SHARE, "strength"), (WORD, "settings_hash method_hash")),
         (pa.list_(WORD), "remarks"),
     )
     found = {

@@ -1,7 +1,8 @@
 -- Episodes: when a channel was raised, and since when.
 -- Reads:  merged, opened, judged_windows, frozen_limits, channels
 -- A row:  one episode, in order. is_open = 1 if the channel's newest judgement is open and this is its last one;
---         is_proving = 1 if it opened within as many judgements as calibration has blocks.
+--         is_proving = 1 if it opened within as many judgements as calibration has blocks. Evidence is the highest in it,
+--         height what opened it: 1 where the indicator did.
 -- Slots:  :first_time, :last_time  when its first open judgement begins and its last one ends
 --         :onset_time              when the judgement begins in which evidence left 0
 SELECT
@@ -14,6 +15,8 @@ SELECT
   :onset_time AS onset_time,
   :first_time AS first_time,
   :last_time AS last_time,
+  CAST(strongest.evidence AS BIGINT) AS evidence,
+  CAST(strongest.height AS BIGINT) AS height,
   CAST(CASE WHEN found.last_judgement = newest.last_judgement THEN 1 ELSE 0 END AS BIGINT) AS is_open,
   CAST(CASE WHEN found.first_judgement < frozen.blocks THEN 1 ELSE 0 END AS BIGINT) AS is_proving
 FROM merged AS found
@@ -24,6 +27,23 @@ JOIN (
   FROM opened
   GROUP BY channel_id
 ) AS newest ON newest.channel_id = found.channel_id
+JOIN (
+  SELECT
+    going.channel_id AS channel_id,
+    going.limit_no AS limit_no,
+    going.episode_no AS episode_no,
+    MAX(said.evidence) AS evidence,
+    MAX(CASE WHEN said.judgement_no = going.first_judgement THEN said.height END) AS height
+  FROM merged AS going
+  JOIN opened AS said
+    ON said.channel_id = going.channel_id
+    AND said.judgement_no >= going.onset
+    AND said.judgement_no <= going.last_judgement
+  GROUP BY going.channel_id, going.limit_no, going.episode_no
+) AS strongest
+  ON strongest.channel_id = found.channel_id
+  AND strongest.limit_no = found.limit_no
+  AND strongest.episode_no = found.episode_no
 JOIN judged_windows AS beginning
   ON beginning.channel_id = found.channel_id AND beginning.judgement_no = found.onset
 JOIN judged_windows AS opening

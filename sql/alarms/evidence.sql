@@ -1,10 +1,12 @@
 -- Evidence: how far the roots have stood above the reference, summed since it was least within 50 judgements
 -- (alarms, section 4). One judgement adds half a height at most, so that none opens an episode alone.
 -- Reads:  rooted
--- A row:  one judgement under one limit; what is summed begins anew with each judged_from.
+-- A row:  one judgement under one limit; what is summed begins anew with each judged_from: the first judgement that a
+--         limit is for.
 SELECT
   channel_id,
   limit_no,
+  judged_from,
   judgement_no,
   root,
   reference,
@@ -17,6 +19,7 @@ FROM (
   SELECT
     channel_id,
     limit_no,
+    judged_from,
     judgement_no,
     root,
     reference,

@@ -9,6 +9,7 @@ SELECT
   named.channel AS channel,
   :family_no AS family_no,
   learnt.limit_reason AS limit_reason,
+  learnt.hi_limit AS hi_limit,
   scale.window_length AS window_length,
   CAST(:g AS BIGINT) AS g,
   CASE WHEN told.hit = 1 THEN told.blocks ELSE 0 END AS blocks,

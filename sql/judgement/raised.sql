@@ -9,13 +9,18 @@ SELECT
   known.hi_limit AS hi_limit,
   CASE WHEN limited.reason = 'unrepresentative' THEN limited.reason ELSE known.limit_reason END AS limit_reason,
   known.hi AS hi,
-  CASE WHEN limited.reason IS NULL THEN 1 WHEN limited.reason = 'unrepresentative' THEN 0 END AS has_limit,
-  CASE WHEN going.hit = 1 THEN CASE WHEN going.is_proving = 1 THEN 'proving' ELSE 'open' END END AS raised,
+  CASE WHEN limited.reason IS NULL THEN 1 WHEN limited.reason = 'unrepresentative' THEN 0 ELSE -1 END AS has_limit,
+  CASE
+    WHEN going.hit = 1
+      THEN CASE WHEN limited.reason IS NOT NULL THEN 'high' WHEN going.is_proving = 1 THEN 'proving' ELSE 'open' END
+  END AS raised,
+  CASE WHEN going.hit = 1 THEN CAST(going.evidence AS DOUBLE) / CAST(going.height AS DOUBLE) END AS sure,
   CASE WHEN going.hit = 1 THEN 1 ELSE 0 END AS asks,
   CASE WHEN going.hit = 1 THEN going.asking ELSE 0 END AS asking,
   CASE WHEN going.hit = 1 THEN going.episode END AS episode,
   CASE WHEN going.hit = 1 THEN going.is_open END AS is_open,
-  CASE WHEN going.hit = 1 THEN going.onset_time END AS onset
+  CASE WHEN going.hit = 1 THEN going.onset_time END AS onset,
+  CASE WHEN going.hit = 1 THEN going.onset_time END AS since_tick
 FROM assessed AS known
 JOIN limit_reasons AS limited ON limited.asset = known.asset AND limited.channel = known.channel
 LEFT JOIN (
@@ -26,6 +31,8 @@ LEFT JOIN (
     is_open,
     is_proving,
     onset_time,
+    evidence,
+    height,
     CAST(COUNT(*) OVER (PARTITION BY asset, channel) AS BIGINT) AS asking,
     CAST(
       ROW_NUMBER() OVER (PARTITION BY asset, channel ORDER BY is_open DESC, episode DESC) AS BIGINT

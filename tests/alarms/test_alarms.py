@@ -91,6 +91,13 @@ def test_the_limit_of_a_channel_whose_blocks_are_all_0() -> None:
             [0, 0, 1, 1, 1] + [0] * 11 + [1],
             [(0, 2, 4), (14, 16, 16)],
         ),
+        # What was left of evidence when an episode ended belongs to that one: the next begins after it.
+        (
+            [4, 4, 4, 0, 0, 0] + [1] * 11 + [4],
+            [979, 1958, 2937, 2437, 1937, 1437, *range(1497, 2098, 60), 3076],
+            [0, 0, 1, 1, 1, 0] + [0] * 11 + [1],
+            [(0, 2, 4), (5, 17, 17)],
+        ),
         # Only the sums of the last 50 judgements, and the one before them, are looked back at.
         ([1] * 52, [60 * j for j in range(1, 51)] + [3000, 3000], [0] * 41 + [1] * 11, [(0, 41, 51)]),
         (
@@ -155,6 +162,24 @@ def test_no_single_judgement_opens_an_episode() -> None:
     ]
 
 
+def test_the_indicator_opens_episodes_where_judgements_have_no_limit() -> None:
+    """Section 4: of 6 windows of calibration; one novel vector raises a window, as 0.05 W < 1."""
+    counts = [0, 3, 0, 2, 0, 0, 0] + [0] * 10 + [1]
+    source, parameters, _, alarms = asked(windows(counts))
+    said = source, parameters, gam_db.Calibration(intervals=[(0, 6 * W - 1)]), alarms
+    (limit,) = gam_db.limits(*said).to_pylist()
+    expected = {"reason": "calibration shorter than 8 windows", "basis": "indicator", "height": 1}
+    expected |= {"reference": ROOTS[0], "stated_rate": None, "centre": None}
+    assert {name: limit[name] for name in expected} == expected
+    found = gam_db.episodes(*said).to_pylist()
+    names = ("onset", "first_judgement", "last_judgement", "is_open", "is_proving", "height")
+    # Two calm windows come before the counts; each episode begins with its first raised window.
+    assert [tuple(row[name] for name in names) for row in found] == [
+        (3, 3, 7, 0, 0, 1),
+        (19, 19, 19, 1, 0, 1),
+    ]
+
+
 def test_an_unfinished_window_is_no_judgement() -> None:
     rows = windows([1, 2])
     assert gam_db.judgements(*asked(rows[:-1])).num_rows == 1
@@ -169,7 +194,8 @@ def test_channels_without_a_limit_say_why() -> None:
     assert found["a"]["reason"] is None
     assert found["b"]["reason"] == "calibration shorter than 8 windows"
     assert found["c"]["reason"] == "constant in calibration"
-    assert found["b"]["height"] is found["b"]["rate"] is None
+    assert found["c"]["height"] is found["b"]["rate"] is None
+    assert (found["b"]["basis"], found["c"]["basis"]) == ("indicator", None)
     assert {row["asset"] for row in gam_db.judgements(*asked(rows)).to_pylist()} == {"a"}
 
 

@@ -118,9 +118,10 @@ def test_every_query_runs_and_says_what_the_views_say(plant: gam_db.Monitor, tmp
     grafana.write(engine, tmp_path, plant.state.tables)
     made = json.loads((tmp_path / grafana.DASHBOARD).read_text())
     assert "__inputs" not in made
-    panels = {panel["type"]: panel for panel in made["panels"]}
+    panels = {panel["type"]: panel for panel in made["panels"] if panel["title"] != "Machines now"}
     assert set(panels) == {"stat", "state-timeline", "timeseries", "table"}
-    assert len({panel["id"] for panel in made["panels"]}) == 4
+    (ranked,) = (panel["targets"][0]["rawSql"] for panel in made["panels"] if panel["id"] == 5)
+    assert len({panel["id"] for panel in made["panels"]}) == 5
     taken: set[tuple[int, int]] = set()
     for panel in made["panels"]:
         place = panel["gridPos"]
@@ -164,6 +165,11 @@ def test_every_query_runs_and_says_what_the_views_say(plant: gam_db.Monitor, tmp
             "signals": len(mine),
             "signals_above": sum(row["onset"] is not None for row in mine),
             "signals_not_judged": sum(row["status"] not in JUDGED for row in mine),
+        }
+        machines = rows_of(plant, expanded(ranked, engine, EVER, **chosen))
+        assert {row["asset"]: row["above"] for row in machines} == {
+            name: sum(row["asset"] == name and row["onset"] is not None for row in mine)
+            for name in names
         }
         table = rows_of(plant, expanded(sql["table"], engine, EVER, **chosen))
         shown = [row for row in mine if row["channel"] != "it's"]

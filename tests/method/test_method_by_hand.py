@@ -138,29 +138,35 @@ def spread(number: int, g: int, roots: list[int]) -> tuple[int, ...]:
 
 def test_a_judgement_that_is_known_tells_when_evidence_last_began() -> None:
     """Section 4: what is known stands for all before it, be it that evidence never was 0."""
-    names = "channel_id limit_no judgement_no root reference height known_open known_zero evidence"
+    names = "channel_id limit_no judgement_no root reference height known_open known_zero evidence "
+    names += "judged_from"
     after = [(1500, -1, None, 400), (1500, -1, None, 900)]
     found = step(
         "alarms/opened",
         evidence=rows(
             names,
             *(
-                (1, 0, n, root, 1000, 900, *rest)
+                (1, 0, n, root, 1000, 900, *rest, 0)
                 for n, (root, *rest) in enumerate([(1500, 0, 7, 10), *after])
             ),
             *(
-                (2, 0, n, root, 1000, 900, *rest)
+                (2, 0, n, root, 1000, 900, *rest, 0)
                 for n, (root, *rest) in enumerate([(1500, 1, None, 10), *after])
             ),
             *(
-                (3, 0, n, root, 1000, 900, *rest)
+                (3, 0, n, root, 1000, 900, *rest, 0)
                 for n, (root, *rest) in enumerate([(900, -1, None, 0), *after])
+            ),
+            *(
+                (4, 0, n, root, 1000, 900, *rest, 1)
+                for n, (root, *rest) in enumerate([(1500, 0, None, 10), *after])
             ),
         ),
     )
     # channel, judgement, is_open, last_zero
     assert [(row[0], row[2], *row[-2:]) for row in found] == [
         *((1, 0, 0, 7), (1, 1, 0, 7), (1, 2, 1, 7)),
-        *((2, 0, 1, None), (2, 1, 1, None), (2, 2, 1, None)),
+        *((2, 0, 1, None), (2, 1, 1, 0), (2, 2, 1, 1)),  # no onset lies before what is open
         *((3, 0, 0, 0), (3, 1, 0, 0), (3, 2, 1, 0)),
+        *((4, 0, 0, None), (4, 1, 0, 0), (4, 2, 1, 0)),  # nor before a new limit
     ]

@@ -48,6 +48,7 @@ from gam_db.stored.schema.migration_files import definitions
 from gam_db.stored.schema.migrations import rendered
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.scoring.publishing import withdraw
+from gam_db.stored.status import machines
 from gam_db.study import Study, naming
 from harness import arrow
 from sql_lint import Kind
@@ -654,6 +655,7 @@ def alarm_steps(number: int) -> list[tuple[str, exp.Query]]:
     add(made, "judgement/raised")
     add_judged(made, "raised")
     add_standing(made)
+    add(made, "judgement/machines", name="ranked_machines", tables={"signals": "standing"})
     return filled_steps(made)
 
 
@@ -705,6 +707,7 @@ def watch_once() -> None:
             assert monitor.health().num_rows > 0
             assert monitor.check_state().num_rows == 0
             assert monitor.status()["scored"].to_pylist() == [32]
+            assert machines(monitor.state, monitor.name, monitor.status())["channels"].to_pylist() == [1]
             with tempfile.TemporaryDirectory() as folder:
                 monitor.report(Path(folder) / "page.html")
             monitor.prune()
@@ -778,7 +781,7 @@ OF_STATE = (
     *("staying_buckets", "staying_novel", "staying_judgements"),
     *("expired_runs", "expired_versions", "expired_supports"),
     *("expired_unplaced", "new_horizons", "expired_horizons", "last_proofs", "state_sizes"),
-    "validity",
+    *("validity", "machine_rows"),
 )
 
 

@@ -98,7 +98,8 @@ def chance(k: int, n: int, g: int) -> Fraction:
 def judged(roots: list[int], reference_root: int, height: int, cap: int) -> Answer:
     """Section 4: evidence of each judgement, whether it is open, and the last one without evidence."""
     answer: Answer = []
-    sums, up, down, zero = [0], -1, -1, None
+    sums, up, down = [0], -1, -1
+    zero: int | None = None
     for j, x in enumerate(roots):
         sums.append(sums[-1] + min(x - reference_root, cap))
         evidence = sums[-1] - min(sums[max(j - 50, -1) + 1 :] + ([0] if j <= 49 else []))
@@ -106,7 +107,10 @@ def judged(roots: list[int], reference_root: int, height: int, cap: int) -> Answ
             up = j
         if j >= 2 and all(y <= reference_root for y in roots[j - 2 : j + 1]):
             down = j
-        zero = j if evidence == 0 else zero
+        if answer and answer[-1]["is_open"]:
+            zero = j - 1
+        if evidence == 0 or (height == 1 and x <= reference_root):
+            zero = j
         answer.append({"evidence": evidence, "is_open": int(up > down), "last_zero": zero})
     return answer
 
@@ -178,7 +182,8 @@ def limits(
     for channel, pool in pairs:
         roots = roots_of(channel, pool, 1)
         ratio = order_ratio(channel, pool) if len(roots) >= 18 else None
-        reason = reference.limit(reference.judgement(pool), pool.settings.target_floor)["limit_reason"]
+        learnt = reference.limit(reference.judgement(pool), pool.settings.target_floor)
+        reason = learnt["limit_reason"]
         if reason is None and len(roots) < 8:
             reason = "calibration shorter than 8 windows"
         elif reason is None and len(roots) * (max(roots) - min(roots)) > 3_000_000_000:
@@ -192,6 +197,10 @@ def limits(
             else ("settings", channel.settings == general, channel.settings)
         )
         row = {"asset": channel.asset, "channel": channel.name, "order_ratio": ratio, "reason": reason}
+        if reason is not None and reason != "unrepresentative" and learnt["hi_limit"] is not None:
+            counts = range(pool.settings.window + 1)
+            most = max(n for n in counts if n / pool.settings.window <= learnt["hi_limit"])
+            row |= {"reference": root(most), "height": 1, "cap": 1, "basis": "indicator"}
         answer.append(row | {"blocks": len(roots), "key": key})
     for key in {row["key"] for row in answer}:
         members = [
@@ -228,13 +237,13 @@ def limits(
 def judgements(
     rows: list[Row], parameters: Any, calibration: Any, limits: Answer
 ) -> tuple[Answer, Answer]:
-    """Section 2 and 4: the judgements of channels that have a limit, and their episodes."""
+    """Section 2 and 4: the judgements of channels that are judged, and their episodes."""
     answer: Answer = []
     found: Answer = []
     for limit, (channel, pool) in zip(
         limits, reference.channels(rows, parameters, calibration), strict=True
     ):
-        if limit["reason"] is not None:
+        if "height" not in limit:
             continue
         window = pool.settings.window
         novel = [row["novel"] for row in reference.health(channel, pool)]
@@ -245,7 +254,7 @@ def judgements(
             answer.append(name | {"judgement": j, "novel": count, "root": root(count)} | row)
         for number, episode in enumerate(episodes_of(said), start=1):
             is_open = int(episode["last_judgement"] == len(counts) - 1)
-            is_proving = int(episode["first_judgement"] < limit["blocks"])
+            is_proving = int(limit["reason"] is None and episode["first_judgement"] < limit["blocks"])
             found.append(
                 name | {"episode": number} | episode | {"is_open": is_open, "is_proving": is_proving}
             )

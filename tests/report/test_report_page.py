@@ -233,8 +233,12 @@ def compare_list(seen: browser.Seen, plant: Plant) -> None:
         assert ("silent for" in words) == (row["silent_for"] is not None)
         if row["is_above"] == 1:
             assert f"since {clock(row['since_tick'])}, " in words
+        elif row["status"] == "labelled":
+            assert words.startswith(f"episode {row['episode_id']}, ")
+            assert f"labelled {row['label'].replace('_', ' ')}" in words
         elif row["is_above"] == 0 and row["hi"] > row["hi_limit"]:
-            assert words.startswith("indicator above its limit, no episode so far")
+            far = "far " * row["is_far_above"]
+            assert words.startswith(f"indicator {far}above its limit, no episode so far")
         elif row["is_above"] == 0:
             assert words.startswith(("as in calibration", "below its limit, and rising"))
         else:
@@ -535,7 +539,8 @@ def test_episodes_are_listed_and_marked_as_the_view_says(chrome: Any, plant: Pla
             row = alarms[number]
             assert signal == f"{row['asset']} · {row['channel'] or '(no name)'}"
             assert (said, since) == (f"{number}, {row['status']}", clock(row["since_tick"]))
-            assert evidence.split()[0] == f"{row['evidence'] / row['height']:.1f}"
+            by_evidence = f"{row['evidence'] / row['height']:.1f} times what opens one"
+            assert evidence == (by_evidence if row["height"] > 1 else "by its indicator")
             if row["label"]:
                 assert label == f"{row['label'].replace('_', ' ')}: {row['note']}"
             else:

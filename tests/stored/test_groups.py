@@ -41,10 +41,15 @@ def raised(session: Any, prefix: str = "gam_") -> Monitor:
 def assert_told(monitor: Monitor) -> None:
     """Y opens two judgements after x, z three after y, and another machine's are its own."""
     found = {
-        (row["asset"], row["channel"]): (row["group"], row["signals_together"])
+        (row["asset"], row["channel"]): (row["incident"], row["signals_together"])
         for row in monitor.alarms().to_pylist()
     }
     assert found == {("a", "x"): (1, 2), ("a", "y"): (1, 2), ("a", "z"): (3, 1), ("b", "x"): (4, 1)}
+    query = (
+        "SELECT incident_id, is_message FROM gam_alarm_event WHERE what = 'opened' ORDER BY episode_id"
+    )
+    events = [tuple(row.values()) for row in visible(monitor, query)]
+    assert events == [(1, 1), (1, 0), (3, 1), (4, 1)], "one message for each incident"
     begun = {(n, (8 + windows) * W) for n, windows in enumerate(BEGINS.values(), start=1)}
     fleet = visible(monitor, "SELECT judged_by, episode_id, since_tick FROM gam_fleet")
     assert {row["judged_by"] for row in fleet} == {"episode"}
@@ -65,10 +70,13 @@ def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Pat
     shown = typer.testing.CliRunner().invoke(app, ["alarms", "--database", str(path)])
     words = " ".join(shown.output.split())
     assert words.count("signals of this machine") == 1, "an episode that ended stays a part of its group"
-    assert "a: 2 signals of this machine within 2 judgements, from episode 1 on" in words
+    assert "a: 2 signals of this machine within 2 judgements are incident 1" in words
     told = typer.testing.CliRunner().invoke(app, ["alarms", "--database", str(path), "--json"])
     assert {row["signals_together"] for row in json.loads(told.output)["episodes"]} == {1, 2}
 
+    run = typer.testing.CliRunner().invoke(app, ["label", "4", "new_program", "--database", str(path)])
+    assert "episode 4 (b x, " in run.output
+    assert "is labelled new_program: no attention, not above its limit" in " ".join(run.output.split())
     run = typer.testing.CliRunner().invoke(app, ["alarm", "2", "--database", str(path)])
     for words in ("30 to 32", "above 40", "-9", "SELECT"):
         assert words in run.output

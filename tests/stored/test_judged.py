@@ -138,10 +138,10 @@ def test_every_form_says_the_same_of_every_channel(engine: str) -> None:
     assert {row["asset"]: row["onset"] for row in status} == onsets
     alarms = visible(monitor, "SELECT asset, since_tick FROM gam_alarm ORDER BY asset")
     assert [(row["asset"], row["since_tick"]) for row in alarms] == [
-        (asset, onsets[asset]) for asset in ("late", "raised")
+        (asset, onsets[asset]) for asset in ("above", "late", "raised")
     ]
     listed = {(row["asset"], row["status"]) for row in monitor.alarms().to_pylist()}
-    assert listed == {("late", "open"), ("raised", "proving")}
+    assert listed == {("late", "open"), ("raised", "proving"), ("above", "high")}
     assert sum(row["reason"] is None for row in monitor.limits().to_pylist()) == 4
     machines = visible(monitor, "SELECT asset, judged, above, not_judged, together FROM gam_machine")
     assert {row.pop("asset"): tuple(row.values()) for row in machines} == {
@@ -155,7 +155,7 @@ def test_every_form_says_the_same_of_every_channel(engine: str) -> None:
     assert status_of(monitor) == without_urgency(DECIDED)
 
 
-#: What a run and a monitor say of a channel alike; onset only where an episode tells it.
+#: What a run and a monitor say of a channel alike.
 ALIKE = ("status", "needs_attention", "judged_by", "limit_reason", "hi", "hi_limit", "asking", "onset")
 
 
@@ -210,8 +210,6 @@ def test_a_run_says_what_a_monitor_does(
             {row["asset"]: {name: row[name] for name in ALIKE} for row in figures["channels"]}
             for figures in (run, status)
         )
-        for row in (row for row in theirs.values() if row["judged_by"] != "episode"):
-            row["onset"] = None
         assert ours == theirs
         said_of = ("status", "judged_by", "limit_reason", "asking")
         told = {name: tuple(row[one] for one in said_of) for name, row in ours.items()}
@@ -332,7 +330,7 @@ def test_the_view_of_the_state_judges_by_the_same_file() -> None:
     verdict = exp.column("verdict", table="learnt")
     assert rows["limit_reason"] == template.fill("judgement/limit_reason", {"verdict": verdict})
     columns = [exp.column(name) for name in rows]
-    known = {name: exp.column(name) for name in ("hi", "has_limit", "raised", "asks")}
+    known = {name: exp.column(name) for name in ("hi", "has_limit", "raised", "label", "sure", "asks")}
     expected = filled("judgement/judged", {"columns": columns, **known})
     (table,) = expected.find_all(exp.Table)
     table.replace(assessed.copy())
@@ -342,3 +340,19 @@ def test_the_view_of_the_state_judges_by_the_same_file() -> None:
     assert {name: ours[name] for name in ("status", "is_above")} == {
         name: theirs[name] for name in ("status", "is_above")
     }
+
+
+def test_the_view_of_machines_ranks_by_the_same_file() -> None:
+    """The same, by monitor."""
+    view = definitions()["machine"].create.expression
+    (ranked,) = (one for one in view.find_all(exp.Subquery) if one.alias == "ranked")
+    made = ranked.this.copy()
+    for column in [one for one in made.find_all(exp.Column) if one.name == "monitor"]:
+        (column.parent if isinstance(column.parent, exp.Alias) else column).pop()
+    for window in made.find_all(exp.Window):
+        if not window.args.get("partition_by"):
+            window.set("partition_by", None)
+    (table,) = made.find_all(exp.Table)
+    table.set("this", exp.to_identifier("signals"))
+    expected = filled("judgement/machines")
+    assert made.sql() == expected.sql()

@@ -14,7 +14,6 @@ from gam_db.findings import shortcomings
 from gam_db.stored import status as stored_status
 from gam_db.stored.schema.tables import StateTables
 from gam_db.stored.state import State
-from gam_db.stored.status import by_asset
 from stored_rows import STEP, Plant, emptied
 
 TABLES = StateTables()
@@ -202,7 +201,6 @@ def test_a_monitor_without_channels_has_none(session: DuckSession) -> None:
     plant.monitor()
     table = status(session, plant)
     assert table.num_rows == 0
-    assert by_asset(table).num_rows == 0
 
 
 def test_an_asset_is_as_urgent_as_its_worst_channel(session: DuckSession) -> None:
@@ -219,24 +217,14 @@ def test_an_asset_is_as_urgent_as_its_worst_channel(session: DuckSession) -> Non
         version = plant.version(plant.channel(monitor, asset, channel), learnt)
         plant.run(version, [QUIET, cells])
     table = status(session, plant)
-    assert by_asset(table).to_pylist() == [
-        {
-            "asset": asset,
-            "channel": channel,
-            "status": word,
-            "hi": hi,
-            "hi_limit": 0.05,
-            "trend": None,
-            "channels": channels,
-            "need_attention": attention,
-            "silent": 0,
-        }
-        for asset, channel, word, hi, channels, attention in (
-            ("b", "j1", "high", 0.5, 3, 2),
-            ("a", "j2", "high", 0.1, 2, 1),
-            ("c", "j1", "ok", 0.0, 1, 0),
-        )
+    found = stored_status.machines(State(session, TABLES), "default", table).to_pylist()
+    names = ("asset", "above", "watched", "first_channel", "strongest_channel", "need_attention")
+    assert [tuple(row[name] for name in names) for row in found] == [
+        ("b", 2, 3, "j1", "j1", 2),
+        ("a", 1, 2, "j2", "j2", 1),
+        ("c", 0, 1, None, None, 0),
     ]
+    assert [row["strength"] for row in found] == [10.0, 2.0, None]
 
 
 @pytest.mark.parametrize(

@@ -301,10 +301,10 @@ def test_fifty_judgements_before_the_first_new_one_are_read_again() -> None:
         ),
     )
     kept = [
-        (3, 0, n, n, *((500, 900, 450, 1) if n < 20 else (600, 800, 400, 2)), 0, n - 1)
+        (3, 0, n, n, *((500, 900, 450, 0) if n < 20 else (600, 800, 400, 20)), 0, n - 1)
         for n in range(10, 60)
     ]
-    assert found == [*kept, (3, 0, 60, 2091, 600, 800, 400, 2, -1, None)]
+    assert found == [*kept, (3, 0, 60, 2091, 600, 800, 400, 20, -1, None)]
 
 
 def test_an_episode_that_opens_within_calibration_is_still_proving() -> None:
@@ -318,7 +318,7 @@ def test_an_episode_that_opens_within_calibration_is_still_proving() -> None:
             "version_id judgement_no first_time last_time evidence height",
             *((7, n, 100 * n, 100 * n + 99, 10 * n, 50 + n) for n in range(6, 12)),
         ),
-        stored_limit=rows("version_id blocks", (7, 0), (7, 9)),
+        stored_limit=rows("version_id blocks reason", (7, 0, None), (7, 9, None), (7, 99, "short")),
     )
     assert found == [
         (3, 7, 5, 8, 8, None, 800, 899, 80, 58, 1),  # the judgement of its onset was pruned
@@ -351,8 +351,10 @@ def test_judgements_that_are_open_are_looked_at_from_the_first_that_is_asked_for
 
 
 def test_what_changed_after_a_number_is_not_what_had_it() -> None:
-    names = "monitor seq episode_id what noticed_at asset channel status is_proving"
-    events = rows(names, *(("gam", n, 1, "opened", n, "a", "x", "open", 0) for n in (1, 2, 3)))
+    names = "monitor seq episode_id what noticed_at asset channel status is_proving "
+    names += "basis incident_id signals_together is_message"
+    said = ("a", "x", "open", 0, "table", 1, 1, 1)
+    events = rows(names, *(("gam", n, 1, "opened", n, *said) for n in (1, 2, 3)))
     found = step("stored/alarms/event_rows", {"monitor": "gam", "after": 2}, stored_alarm_event=events)
     assert [row[0] for row in found] == [3]
 
@@ -443,7 +445,15 @@ def test_bands_of_an_alarm_are_those_that_stand_out() -> None:
 def test_alarms_are_told_most_urgent_first_then_newest_first_with_all_that_was_noted() -> None:
     noted = (
         *("asset", "channel", "since_tick", "first_tick", "last_tick", "basis", "stated_rate", "asked"),
-        *("signals_open", "group_id", "signals_together", "label", "label_until", "note", "merged_into"),
+        *(
+            "signals_open",
+            "incident_id",
+            "signals_together",
+            "label",
+            "label_until",
+            "note",
+            "merged_into",
+        ),
         *("onset", "first_judgement", "last_judgement", "seq", "channel_id", "version_id"),
     )
 

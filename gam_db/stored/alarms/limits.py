@@ -10,10 +10,10 @@ from sqlglot import exp
 
 from gam_db.alarms import LIMIT, Alarms, Row, chosen_limits
 from gam_db.columns import COUNT, WORD, columns, name_of
-from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import add
 from gam_db.method.alarms import add_spreads
+from gam_db.method.judgement import limit_slots
 from gam_db.method.source import by_override
 from gam_db.settings.parameters import Parameters
 from gam_db.stored.state import State, kind_of, now
@@ -44,9 +44,7 @@ def learnt(
     """
     steps = Pipeline(small=frozenset({"active", "limit_channels", "buffered"}))
     add(steps, "stored/state/active", {"monitor_id": monitor_id})
-    verdict = {"verdict": exp.column("verdict", table="learnt")}
-    reason = template.fill("judgement/limit_reason", verdict)
-    slots: dict[str, template.Slot] = {"limit_reason": reason}
+    slots = limit_slots(exp.column("target_floor", table="learnt"))
     for name in ("tau", "bins"):
         finds = by_override(parameters or Parameters(), partial(_finds, name))
         for column in finds.find_all(exp.Column):

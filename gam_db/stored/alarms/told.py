@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 import pyarrow as pa
 
+from gam_db.alarms import UNREPRESENTATIVE
 from gam_db.clock import Instant, TimeKind, instant, shown_instant
 from gam_db.columns import COUNT, SHARE, TRUTH, WORD, columns
 from gam_db.composing import template
@@ -33,20 +34,19 @@ KINDS = (*DECISIONS, *PAUSES)
 #: Decisions by which a machine was not as it is when healthy: no later calibration learns from that.
 UNHEALTHY = ("true_fault", "maintenance")
 
-#: Why there is no limit any more after a false alarm right after calibration.
-UNREPRESENTATIVE = "unrepresentative"
-
 
 def alarms(state: State, name: str) -> pa.Table:
     """Return the episodes of a monitor, those that need attention first.
 
     Returns:
         One row per episode: episode, asset, channel, status (proving: it opened right after calibration
-        and asks for a decision; open, ended, merged, withdrawn, recalibrated), needs_attention (as of
-        the newest run), since (when evidence left 0), opened, last_time, sure (highest evidence /
-        height), basis, stated_rate (per judgement; NULL where none can be stated), asked, signals_open
-        (of the machine), group (the smallest number of the episodes of the machine that opened within
-        two judgements of one another), signals_together (how many they are), label, label_until (UTC),
+        and asks for a decision; open; high: it is open, and its indicator opened it, since its
+        judgements have no limit; ended, merged, withdrawn, recalibrated), needs_attention (as of the
+        newest run), since (when evidence left 0), opened, last_time, sure (highest evidence / height;
+        NULL where its indicator opened it), basis, stated_rate (per judgement; NULL where none can be
+        stated), asked, signals_open (of the machine), incident (the smallest number of the episodes of
+        the machine that opened within two judgements of one another), signals_together (how many they
+        are), label, label_until (UTC),
         note, merged_into, onset, first_judgement, last_judgement, evidence, height, seq. Times are as in
         the source.
 
@@ -63,7 +63,7 @@ def alarms(state: State, name: str) -> pa.Table:
         (WORD, "basis"),
         (SHARE, "stated_rate"),
         (WORD, "asked"),
-        (COUNT, "signals_open group signals_together"),
+        (COUNT, "signals_open incident signals_together"),
         (WORD, "label"),
         (pa.timestamp("us"), "label_until"),
         (WORD, "note"),
@@ -135,7 +135,9 @@ def events(state: State, name: str, after: int = 0) -> pa.Table:
     """Return the changes of a monitor's episodes after one that is known, in order.
 
     Returns:
-        One row per change: seq, episode_id, what, noticed_at (UTC), asset, channel, status, is_proving.
+        One row per change: seq, episode_id, what, noticed_at (UTC), asset, channel, status, is_proving,
+        basis, incident_id, signals_together, is_message (1 for the changes that an incident is told by:
+        its first opening, and the first of others that were noticed together).
     """
     state.monitor(name)
     return state.fetch("stored/alarms/event_rows", {"monitor": template.text(name), "after": after})
@@ -249,7 +251,7 @@ def _replaces(later: Row, row: Row) -> bool:
 
 def _check_kind(kind: str, until: dt.datetime | None) -> None:
     if kind not in KINDS:
-        raise ParameterError(f"A label is one of {', '.join(KINDS)}, not {kind!r}{nearest(kind, KINDS)}")
+        raise ParameterError(f"A label is one of {', '.join(KINDS)}, not {kind!r}.")
     if kind == "snoozed" and until is None:
         raise ParameterError("A snooze needs an end; say until when.")
     if kind in DECISIONS and until is not None:

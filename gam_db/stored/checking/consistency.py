@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from sqlglot import exp
 
-from gam_db.alarms import assess, day_of, high
+from gam_db.alarms import UNREPRESENTATIVE, assess, day_of, high, indicated
 from gam_db.alarms.heights import UNSTATED, Height, Rate, by_table
 from gam_db.clock import FAR_AHEAD, TimeKind
 from gam_db.columns import counts, table_of
@@ -23,7 +23,7 @@ from gam_db.method.alarms import FAR, NEAR
 from gam_db.stored.alarms.episodes import LIVE, changes, pending
 from gam_db.stored.alarms.judging import BEFORE, UNTIL, buckets_of, judging_steps
 from gam_db.stored.alarms.limits import CHOSEN, learnt
-from gam_db.stored.alarms.told import DECISIONS, KINDS, UNREPRESENTATIVE
+from gam_db.stored.alarms.told import DECISIONS, KINDS
 from gam_db.stored.checking.again import compared
 from gam_db.stored.planning import Row, by
 from gam_db.stored.state import State
@@ -123,7 +123,10 @@ def _follows(row: Row, said: Mapping[int, Row], is_off: bool) -> bool:
     wanted = {name: near[name] for name in ("blocks", "judgements_per_day", "order_ratio")}
     wanted["reason"] = reason
     if reason is not None:
-        return row["g"] in said and _same(row, {**wanted, **dict.fromkeys(CHOSEN)})
+        wanted |= dict.fromkeys(CHOSEN)
+        if near["hi_limit"] is not None and reason != UNREPRESENTATIVE:
+            wanted |= indicated(near["hi_limit"], near["window_length"])
+        return row["g"] in said and _same(row, wanted)
     basis, quarters, rate = row["basis"], row["quarters"], row["rate"]
     try:
         asked = Rate.of(row["asked"])

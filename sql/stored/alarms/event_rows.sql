@@ -1,6 +1,6 @@
 -- Event rows: changes of the episodes of a monitor, in order.
 -- Reads:  stored_alarm_event
--- A row:  one change.
+-- A row:  one change; is_message is 1 for those that an incident is told by.
 -- Slots:  :monitor  its name
 --         :after    the last seq that is known already
 SELECT
@@ -11,7 +11,11 @@ SELECT
   asset,
   channel,
   status,
-  is_proving
+  is_proving,
+  basis,
+  incident_id,
+  signals_together,
+  is_message
 FROM stored_alarm_event
 WHERE monitor = :monitor AND seq > :after
 ORDER BY seq

@@ -21,7 +21,7 @@ JOIN stored_visible_judgement AS bucket
   AND bucket.judgement_no >= found.onset
   AND bucket.judgement_no <= found.last_judgement
 JOIN (
-  SELECT version_id, MAX(made.blocks) AS blocks
+  SELECT version_id, MAX(CASE WHEN made.reason IS NULL THEN made.blocks ELSE 0 END) AS blocks
   FROM stored_limit AS made
   GROUP BY version_id
 ) AS learnt ON learnt.version_id = part.version_id

@@ -11,7 +11,7 @@ FROM cohort AS member
 JOIN (
   SELECT DISTINCT version_id
   FROM stored_limit
-  WHERE reason IS NULL
+  WHERE height IS NOT NULL
 ) AS judged ON judged.version_id = member.version_id
 LEFT JOIN (
   SELECT bucket.version_id AS version_id, MAX(bucket.judgement_no) AS newest_no, 1 AS hit

@@ -11,7 +11,7 @@ SELECT
   span.reference AS reference,
   span.height AS height,
   span.cap AS cap,
-  span.limit_no AS judged_from,
+  span.from_judgement AS judged_from,
   asked.known_open AS known_open,
   asked.known_zero AS known_zero
 FROM (

@@ -25,9 +25,8 @@ FROM (
     ) AS next_judgement,
     made.reference AS reference,
     made.height AS height,
-    made.cap AS cap,
-    made.reason AS reason
+    made.cap AS cap
   FROM stored_limit AS made
   JOIN judged_until AS part ON part.version_id = made.version_id
 ) AS spanned
-WHERE spanned.reason IS NULL
+WHERE spanned.height IS NOT NULL

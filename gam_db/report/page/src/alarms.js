@@ -34,7 +34,7 @@ export function list(of, titled) {
   const head = [...(of ? [] : ['signal']), 'alarm', 'since', 'until', 'evidence', 'said of it'];
   const row = one => el('tr', {'data-alarm': one.id}, of ? null : el('td', {}, el('a', {href: linkOf(one.signal)}, named(one.signal.machine.name), ' · ', named(one.signal.name))),
     el('td', {}, `${whole.format(one.id)}, ${one.status}`), el('td', {title: when(one.since)}, shortly(one.since)), el('td', {}, one.status === 'open' ? `goes on (${lasting(FRAME.last - one.since)})` : shortly(one.last)),
-    el('td', {title: `opens at ${whole.format(one.height)}`}, `${(one.evidence / one.height).toFixed(1)} times what opens one`), el('td', {}, said(one)));
+    el('td', {title: `opens at ${whole.format(one.height)}`}, one.height > 1 ? `${(one.evidence / one.height).toFixed(1)} times what opens one` : 'by its indicator'), el('td', {}, said(one)));
   const open = found.filter(one => one.status === 'open').length, more = found.length > SHOWN ? `; the first ${SHOWN} are shown` : '';
   return [titled('Alarms', `${open ? `${plural(open, 'episode')} open` : 'none open'}, ${whole.format(found.length)} in all${more}; ${of ? 'a dark bar marks each above' : 'a dark bar below a strip marks each'}`),
     el('div', {class: 'table alarms', tabindex: '0', role: 'region', 'aria-label': 'Episodes of alarms'}, el('table', {}, el('thead', {}, el('tr', {}, head.map(text => el('th', {scope: 'col'}, text)))), el('tbody', {}, found.slice(0, SHOWN).map(row))))];

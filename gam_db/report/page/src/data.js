@@ -18,10 +18,12 @@ export async function unpackTimes(text) {
 const first = Number(D.first), last = Number(D.last);
 export const FRAME = {first, last, span: last - first};
 
-/** A machine, most urgent first: name, signals (rows), judged, above, notJudged, since, together, at. */
+/** A machine, most urgent first: name, signals (rows), watched, judged, above, notJudged, notWatched, since, first, strongest, strength, together, at. */
 export const machines = D.machines.asset.map((name, number) => ({
   number, name, signals: [], judged: D.machines.judged[number], above: D.machines.above[number],
   notJudged: D.machines.notJudged[number], since: D.machines.since[number], together: D.machines.together[number],
+  watched: D.machines.watched[number], notWatched: D.machines.notWatched[number], first: D.machines.first[number],
+  strongest: D.machines.strongest[number], strength: D.machines.strength[number],
 }));
 
 /** A signal, most urgent first. */
@@ -30,7 +32,8 @@ export const signals = D.machine.map((number, place) => {
   for (const [name, column] of Object.entries(D.signals)) signal[name] = column[place];
   signal.judged = signal.isAbove != null;
   signal.above = signal.isAbove === 1;
-  signal.over = signal.isAbove === 0 && signal.hi > signal.limit;   // judged by episodes, and none is open so far
+  signal.labelled = signal.status === 'labelled';   // its episode is a false alarm or a new program
+  signal.over = signal.isAbove === 0 && signal.hi > signal.limit && !signal.labelled;   // no episode is open so far
   machines[number].signals.push(signal);
   return signal;
 });

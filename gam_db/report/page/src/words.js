@@ -88,7 +88,10 @@ export function unjudged(signal) {
 }
 
 /** What a signal that is above its limit is judged by, in words. */
-export const judgedBy = signal => signal.by === 'episode' ? `episode ${signal.episode}${signal.status === 'proving' ? ', proving' : ''}` : 'by its indicator';
+export const judgedBy = signal => signal.episode == null ? 'by its indicator' : `episode ${signal.episode}${signal.status === 'proving' ? ', proving' : signal.by === 'indicator' ? ', by its indicator' : ''}${signal.label ? `, labelled ${signal.label.replace('_', ' ')}` : ''}`;
+
+/** How far the indicator of a signal is above its limit. */
+const far = signal => signal.far ? 'far ' : '';
 
 /** What of a frozen sensor, half a stroke and another speed a signal would not show. */
 const unseen = signal => signal.unseen ? `; would not see ${signal.unseen}` : '';
@@ -101,12 +104,14 @@ export function brief(signal) {
   const silent = signal.silent == null ? '' : ` · silent for ${lasting(signal.silent)}`;
   if (!signal.judged) return `not judged: ${unjudged(signal)[0]}${silent}`;
   if (signal.above) return `${since(signal, shortly)}${sideShort(signal.outside)}, ${judgedBy(signal)}${vouched(signal)}${silent}`;
-  return (signal.over ? 'indicator above its limit, no episode so far' : signal.rising ? 'below its limit, and rising' : `as in calibration${unseen(signal)}`) + vouched(signal) + silent;
+  if (signal.labelled) return judgedBy(signal) + vouched(signal) + silent;
+  return (signal.over ? `indicator ${far(signal)}above its limit, no episode so far` : signal.rising ? 'below its limit, and rising' : `as in calibration${unseen(signal)}`) + vouched(signal) + silent;
 }
 
 export function sentence(signal) {
   if (!signal.judged) { const [why, what] = unjudged(signal); return `${why}; ${what}.`; }
   if (signal.above) return `goes where it never went in health ${since(signal)}, and is above its limit (${judgedBy(signal)}); its new states lie ${side(signal.outside) || 'in range'}${vouched(signal)}.`;
-  if (signal.over) return `its indicator is above its limit, and no episode opened so far${vouched(signal)}.`;
+  if (signal.labelled) return `${judgedBy(signal)}, so it is not counted as above its limit${vouched(signal)}.`;
+  if (signal.over) return `its indicator is ${far(signal)}above its limit, and no episode opened so far${vouched(signal)}.`;
   return signal.rising ? `below its limit, and rising${vouched(signal)}.` : `moves as it did in calibration${unseen(signal)}${vouched(signal)}.`;
 }
