@@ -358,10 +358,16 @@ def _views(of: Modelled) -> Pipeline:
         ("fleet", ("last_tick", "since_tick"), of_window),
         ("machine", ("since_tick", "last_tick"), {}),
     ):
+        if name == "machine":
+            add(steps, "judgement/machines", tables={"signals": "fleet"})
         times: list[exp.Expr] = []
         if not of.method.kind.is_counter:
+            tables = {"last_tick": "counted"} if name == "machine" else {}
             times = [
-                exp.alias_(of.instant(exp.column(column, table="made")), column.replace("tick", "time"))
+                exp.alias_(
+                    of.instant(exp.column(column, table=tables.get(column, "made"))),
+                    column.replace("tick", "time"),
+                )
                 for column in times_of
             ]
         add(steps, f"export/{name}", {"times": times, **slots}, tables=certified)

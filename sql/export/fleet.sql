@@ -13,6 +13,8 @@ SELECT
   made.needs_attention AS needs_attention,
   made.is_above AS is_above,
   made.judged_by AS judged_by,
+  made.is_far_above AS is_far_above,
+  made.strength AS strength,
   learnt.floor AS floor,
   learnt.floor_sd AS floor_sd,
   learnt.floor_max AS floor_max,

@@ -140,7 +140,7 @@ ONLY_STORED = {
     *("monitor", "version_no", "version_id", "m", "tau", "bins", "stride", "target_floor"),
     *("settings_hash", "method_hash", "data_time", "data_tick", "looked_at", "differing_contexts"),
     *("repair_from_time", "repair_from_tick", "calibration_readings", "calibration_readings_now"),
-    *("at_least", "silent_for", "episode_id", "asking", "window_from_tick"),
+    *("at_least", "silent_for", "episode_id", "asking", "window_from_tick", "label"),
 }
 
 
