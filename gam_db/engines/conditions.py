@@ -67,20 +67,27 @@ def check_conditions(where: str | None, valid_when: str | None, engine: Engine) 
         tree = parsed_condition(condition, called)
         parts = [tree.find(exp.Query), *tree.walk()]
         for part in filter(None, parts):
-            if (problem := _problem(part, allowed_on(engine.name))) is not None:
-                said = {"called": called, "where": condition, "title": engine.title}
-                raise wrong(problem, what=_shown(part), **said)
+            problem = _problem(part, allowed_on(engine.name))
+            if problem is None:
+                continue
+            if problem == "tables":
+                raise wrong("where_asks_other_tables", called=called, where=condition)
+            what = _shown(part)
+            if problem == "moves":
+                raise wrong("where_moves", called=called, where=condition, what=what)
+            title = engine.title
+            raise wrong("where_not_listed", called=called, where=condition, what=what, title=title)
 
 
 def _problem(part: exp.Expr, allowed: Allowed) -> str | None:
-    """Return which refusal a part of a condition deserves, those below it aside; None for none."""
+    """Return what is wrong with a part of a condition, those below it aside: tables, moves, unlisted."""
     kind = type(part).__name__
     if isinstance(part, exp.Query) or (isinstance(part, exp.In) and _may_ask_table(part)):
-        return "where_asks_other_tables"
+        return "tables"
     if kind in _MOVING_NODES or _is_clock(part, allowed):
-        return "where_moves"
+        return "moves"
     if isinstance(part, exp.Anonymous):
-        return None if part.name.lower() in allowed.functions else "where_not_listed"
+        return None if part.name.lower() in allowed.functions else "unlisted"
     is_other = (
         kind not in allowed.nodes
         # A function of a schema may be anybody's, whatever it is called.
@@ -88,7 +95,7 @@ def _problem(part: exp.Expr, allowed: Allowed) -> str | None:
         or (isinstance(part, exp.DataType) and getattr(part.this, "name", "") not in allowed.types)
         or (kind in _PLAIN and not _PLAIN[kind].fullmatch(part.name))
     )
-    return "where_not_listed" if is_other else None
+    return "unlisted" if is_other else None
 
 
 def _may_ask_table(part: exp.In) -> bool:
