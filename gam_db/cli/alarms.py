@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from gam_db.alarms import backtesting
+from gam_db.alarms import backtesting, figures
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
@@ -46,8 +46,8 @@ def alarms(
         if new:
             changes = stored.events(state, name, after).to_pylist()
             newest = max((row["seq"] for row in changes), default=after)
-            figures: Row = {"monitor": name, "seq": newest, "changes": changes}
-            page.tell(figures, lambda out: _show_changes(out, changes, shown_in), common)
+            streamed: Row = {"monitor": name, "seq": newest, "changes": changes}
+            page.tell(streamed, lambda out: _show_changes(out, changes, shown_in), common)
             return
         rows, judged = stored.alarms(state, name).to_pylist(), stored.limits(state, name)
     urgent = any(row["needs_attention"] for row in rows)
@@ -72,7 +72,12 @@ def alarm(settings: Settings, common: options.Common, episode: int = argument("a
         rows = stored.alarms(state, name).to_pylist()
         if (found := next((row for row in rows if row["episode"] == episode), None)) is None:
             raise wrong("no_episode", episode=episode)
+        counted = figures.figures(state.rows, name)
+        (found,) = figures.with_figures([found], counted)
+        said = figures.advice_of(found)
         told: Row = {
+            "finding": None if said is None else said.finding,
+            "advice": None if said is None else said.advice,
             "judgements": stored.judgements(state, found),
             "bands": stored.bands(state, name, found),
             "cells": stored.cells(state, name, found),
@@ -80,21 +85,28 @@ def alarm(settings: Settings, common: options.Common, episode: int = argument("a
         }
 
     def show(out: page.Out) -> None:
-        _show_episodes(out, [found], shown_in)
-        judged = [{**row, "until": told_time(row["last_time"], kind)} for row in told["judgements"]]
+        if said is not None:
+            page.say(out, printable(said.finding), printable(f"What to do next: {said.advice}"), "")
+        page.say(out, *_facts(found, kind, shown_in), "")
+        judged = [
+            {**row, "until": told_time(row["last_time"], kind), "threshold": row["height"]}
+            for row in told["judgements"]
+        ]
         columns: dict[str, page.Cell] = {
             "judgement": "judgement_no",
             **page.when("until", "until", judged, shown_in),
-            **{name: name for name in ("novel", "evidence", "height")},
+            **{name: name for name in ("novel", "evidence", "threshold")},
         }
         page.table(out, judged, columns, lambda row: "!" if row["is_open"] else " ")
+        page.say(out, page.WORDS["alarm"]["legend"].format(window=found["window_length"] or 0))
         if told["bands"]:
             page.say(out, page.WORDS["alarms"]["bands"])
             page.table(out, told["bands"], _OF_BAND)
         _show_cells(out, told["cells"], kind, shown_in)
         if told["raw_rows"] is not None:
-            page.say(out, "its rows in the source:")
-            page.say(out, printable(told["raw_rows"]))
+            page.say(out, page.WORDS["alarm"]["rows"])
+            page.verbatim(out, f"{told['raw_rows']};")
+        page.verbatim(out, "", *_commands(found))
 
     page.tell({"monitor": name, **found, **told}, show, common)
 
@@ -125,9 +137,9 @@ def label(
         of["until"] = _read(dt.datetime.fromisoformat, until, refusal)
     with state_of(settings, writable=True) as state:
         found = stored.label(state, name, kind, note=note, instead=instead, **of)
-    figures = {"monitor": name, "kind": kind, "episodes": found}
+    labelled = {"monitor": name, "kind": kind, "episodes": found}
     told = ", ".join(map(str, found)) or "none yet"
-    page.tell(figures, lambda out: page.say(out, f"episodes: {told}"), common)
+    page.tell(labelled, lambda out: page.say(out, f"episodes: {told}"), common)
 
 
 @options.of_state(*options.ALARMS, *options.STATE, *options.PAGE)
@@ -165,8 +177,7 @@ def limits(
         page.table(out, shown, columns, lambda row: " " if row["reason"] is None else "?", left)
         page.cut(out, rows, common.everything)
 
-    figures = {"monitor": settings.monitor.name, **promised(rows), "channels": rows}
-    page.tell(figures, show, common)
+    page.tell({"monitor": settings.monitor.name, **promised(rows), "channels": rows}, show, common)
 
 
 @options.taking(*options.READ, *options.ALARMS, "as_json", "quiet", "threads")
@@ -279,6 +290,35 @@ def _show_episodes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> N
         page.say(out, page.WORDS["alarms"]["together"].format(machine=machine, **row))
     if any(row["status"] == "proving" for row in rows):
         page.say(out, page.WORDS["alarms"]["proving"])
+
+
+def _facts(row: Row, kind: TimeKind, shown_in: dt.tzinfo) -> Iterator[str]:
+    """Yield what an episode is, how sure, and what people said of it, a line each."""
+    words = page.WORDS["alarm"]
+    since, last = (page.time_text(row[edge], shown_in, named=True) for edge in ("since", "last_time"))
+    names = printable(" / ".join((row["asset"], row["channel"])))
+    yield words["episode"].format(**row | {"names": names, "since": since, "last_time": last})
+    basis = f"basis {row['basis']}"
+    if row["stated_rate"] is not None:
+        basis += f", stated rate {1000 * row['stated_rate']:.3g} per 1,000 judgements"
+    yield words["evidence"].format(sure=row["sure"], basis=basis)
+    label = "none yet" if row["label"] is None else row["label"]
+    until = (
+        "" if row["label_until"] is None else f" until {page.time_text(row['label_until'], shown_in)}"
+    )
+    note = "" if row["note"] is None else f" ({row['note']})"
+    yield printable(f"feedback: {label}{until}{note}")
+
+
+def _commands(row: Row) -> Iterator[str]:
+    """Yield the commands that fit an episode."""
+    words = page.WORDS["commands"]
+    yield words["title"]
+    if row["status"] not in ("merged", "withdrawn"):
+        yield words["label" if row["label"] is None else "instead"].format(**row)
+    if row["explains"] or row["label"] in ("false_alarm", "new_program"):
+        yield words["calibrate"]
+    yield words["limits"]
 
 
 def _show_cells(out: page.Out, cells: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:
