@@ -46,8 +46,8 @@ def figures(reads: Reads, monitor: str) -> dict[int, Row]:
         half); and of its first five judgements, as far as they were read again: reread_vectors,
         reread_novel, move (none, shift, scale, both, mirror), factor, displacement, regained (novel
         vectors whose cells are healthy once the move is undone), lost (others whose cells are not),
-        explains (1 where that is nine tenths of the novel ones, and at most a tenth of all is lost). What
-        was pruned, or could not be computed, is None.
+        explains (1 where that is nine tenths of the novel ones, and at most a tenth of all is lost).
+        What was pruned, or could not be computed, is None.
     """
     slots: dict[str, template.Slot] = {"monitor": template.text(monitor)}
     found = {row["episode"]: row for row in reads("stored/alarms/alarm_figures", slots)}

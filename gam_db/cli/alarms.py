@@ -87,7 +87,7 @@ def alarm(settings: Settings, common: options.Common, episode: int = argument("a
     def show(out: page.Out) -> None:
         if said is not None:
             page.say(out, printable(said.finding), printable(f"What to do next: {said.advice}"), "")
-        page.say(out, *_facts(found, kind, shown_in), "")
+        page.say(out, *_facts(found, shown_in), "")
         judged = [
             {**row, "until": told_time(row["last_time"], kind), "threshold": row["height"]}
             for row in told["judgements"]
@@ -292,7 +292,7 @@ def _show_episodes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> N
         page.say(out, page.WORDS["alarms"]["proving"])
 
 
-def _facts(row: Row, kind: TimeKind, shown_in: dt.tzinfo) -> Iterator[str]:
+def _facts(row: Row, shown_in: dt.tzinfo) -> Iterator[str]:
     """Yield what an episode is, how sure, and what people said of it, a line each."""
     words = page.WORDS["alarm"]
     since, last = (page.time_text(row[edge], shown_in, named=True) for edge in ("since", "last_time"))

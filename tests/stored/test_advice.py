@@ -1,5 +1,4 @@
-"""What an episode says and what to do next: the row of figures and the sentence made of it, by "
-"hand."""
+"""What an episode says and what to do next: the row of figures and the sentence, by hand."""
 
 from typing import Any
 
@@ -8,7 +7,8 @@ import pytest
 import engines
 import gam_db
 import scripts
-from gam_db.alarms.advising import advise, signs_of
+from by_hand import rows, step
+from gam_db.alarms.advising import advise, promise, signs_of
 from gam_db.alarms.figures import advice_of, figures, with_figures
 from gam_db.stored.alarms import told
 from gam_db.stored.monitor import Monitor
@@ -234,3 +234,52 @@ def test_engines_agree_on_the_figures(engine: str) -> None:
         assert tuple(row[name] for name in COUNTED) == KINDS[kind][1]
         if kind in MOVES:
             assert tuple(row[name] for name in MOVED) == MOVES[kind]
+
+
+def test_what_the_stated_rate_means() -> None:
+    """Of channel 1, limit 2 is for judgements from 3 on, limit 1 made three of them."""
+    names = "version_id limit_no from_judgement asked stated_rate reason"
+    limits = rows(
+        names,
+        (1, 1, 0, "1 per month", 0.001, None),
+        (1, 2, 3, "1 per week", 0.1, None),
+        (2, 1, 0, "1 per month", None, "calibration too short"),
+        (3, 1, 0, "1 per month", None, None),
+        (4, 1, 0, "1 per month", 0.5, None),
+    )
+    judgements = [(version, number) for version in (1, 3, 4) for number in range(8)]
+    found = step(
+        "report/promises",
+        {"monitor": "gam"},
+        stored_monitor=rows("monitor_id name", (1, "gam"), (2, "other")),
+        stored_channel=rows(
+            "channel_id monitor_id asset channel",
+            *((1, 1, "a", "x"), (2, 1, "b", "x"), (3, 1, "c", "x"), (4, 2, "a", "x")),
+        ),
+        stored_version=rows("version_id channel_id", *((number, number) for number in (1, 2, 3, 4))),
+        stored_limit=limits,
+        stored_visible_judgement=rows("version_id judgement_no", *judgements),
+    )
+    assert found == [
+        ("a", "x", "1 per month", 0.001, 3),
+        ("a", "x", "1 per week", 0.1, 5),
+        ("c", "x", "1 per month", None, 8),
+    ]
+    columns = ("asset", "channel", "asked", "stated_rate", "judgements")
+    held = [dict(zip(columns, row, strict=True)) for row in found]
+    # 3 x 0.001 + 5 x 0.1 = 0.503 of 8 judgements: 62.9 per 1,000.
+    stated = (
+        "Asked: 1 per month; 1 per week. Stated: 62.9 false alarms per 1,000 judgements, of which there "
+    )
+    assert promise(held, 4) == (
+        f"{stated}were 8; a healthy fleet would have raised about one of these 4 in this time."
+    )
+    assert promise(held[:1], 4) == (
+        "Asked: 1 per month. Stated: 1 false alarms per 1,000 judgements, of which there were 3; a "
+        "healthy fleet would have raised none of these 4 in this time."
+    )
+    many = promise([{**held[1], "judgements": 34}], 9)
+    assert many is not None
+    assert many.endswith("a healthy fleet would have raised about 3 of these 9 in this time.")
+    assert promise(held[2:], 1) == "Asked: 1 per month. No rate can be stated."
+    assert promise([], 3) is promise(held, 0) is None

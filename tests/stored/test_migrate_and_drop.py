@@ -25,7 +25,7 @@ pytestmark = pytest.mark.migrates
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 27
+TABLES_OF_A_MONITOR = 28
 
 
 @pytest.fixture(autouse=True)

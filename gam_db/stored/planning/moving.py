@@ -1,4 +1,4 @@
-"""What changes of a whole signal explain of windows that are read again, for one set (alarms, section 5)."""
+"""What changes of a whole signal explain of windows that are read again, for one set."""
 
 from sqlglot import exp
 
@@ -20,7 +20,7 @@ def add_moves(one: OfSet) -> None:
         for k in range(1, setting.m)
     ]
     carried = [*(exp.column(f"x_{k}") for k in range(1, setting.m)), *programs]
-    of_sample = [exp.alias_(exp.column(of.name, table="sample"), of.name) for of in carried]
+    of_sample = [exp.alias_(exp.column(of.name, table="newest"), of.name) for of in carried]
     slots: dict[str, template.Slot] = {"delayed": [*delayed, *programs], "carried": of_sample}
     one.add("stored/alarms/reread", {**slots, "window": setting.window}, tables=tables)
     one.add("stored/alarms/reread_usual")

@@ -10,11 +10,11 @@ SELECT
     FLOOR((CAST(visit.number AS DOUBLE) - CAST(5e-1 AS DOUBLE)) / CAST(:window AS DOUBLE)) AS BIGINT
   ) AS window_no,
   visit.novel AS novel,
-  sample.x_0 AS x_0,
+  newest.x_0 AS x_0,
   :carried
 FROM placed AS visit
 JOIN (
   SELECT channel_id, time, value AS x_0, :delayed
   FROM samples
-) AS sample ON sample.channel_id = visit.channel_id AND sample.time = visit.time
+) AS newest ON newest.channel_id = visit.channel_id AND newest.time = visit.time
 WHERE visit.cell_key IS NOT NULL
