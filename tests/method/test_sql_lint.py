@@ -743,7 +743,7 @@ def alarm_once() -> None:
         assert len(alarms.bands(monitor.state, "default", row)) == 1
         assert len(alarms.cells(monitor.state, "default", row)) == 1
         counted = figures(monitor.state.rows, "default")
-        assert [row["reread_novel"] for row in counted.values()] == [8]
+        assert [row["reread_novel"] for row in counted.values()] == [4]
         assert monitor.label("false_alarm", 1) == [1]
         assert alarms.events(monitor.state, "default").num_rows == 3
         assert monitor.limits()["reason"].to_pylist() == ["unrepresentative"]
