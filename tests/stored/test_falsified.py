@@ -74,7 +74,7 @@ MAY_DIFFER = {
         ("move", column): "told for people; nothing is computed from it but a sentence"
         for column in (
             *("version_id", "judgement_no", "run_id", "move_no", "factor", "displacement"),
-            *("vectors", "novel", "regained", "lost"),
+            *("vectors", "novel", "regained", "lost", "deleted"),
         )
     },
     **{
