@@ -787,6 +787,35 @@ COMMENT ON COLUMN stored_band_visit.visits
   IS 'Scored vectors in it; 0 where the source no longer holds what was scored';
 COMMENT ON COLUMN stored_band_visit.novel IS 'The novel ones of them';
 
+-- Move: what changes of the whole signal would explain of the novelty in the first five judgements of an episode. It is
+-- counted in the same pass as band visits, and its rows belong to a judgement likewise.
+CREATE TABLE IF NOT EXISTS stored_move (
+  version_id BIGINT NOT NULL,
+  judgement_no BIGINT NOT NULL,
+  run_id BIGINT NOT NULL,
+  move_no BIGINT NOT NULL,
+  factor DOUBLE NOT NULL,
+  displacement DOUBLE NOT NULL,
+  vectors BIGINT NOT NULL,
+  novel BIGINT NOT NULL,
+  regained BIGINT NOT NULL,
+  lost BIGINT NOT NULL
+);
+
+COMMENT ON TABLE stored_move
+  IS 'What a change of the whole signal, x = factor * x + displacement, explains of the first judgements of an episode; one row per judgement and change that could be tried, a second one says the same';
+COMMENT ON COLUMN stored_move.version_id IS 'The version';
+COMMENT ON COLUMN stored_move.judgement_no IS 'Number of the judgement';
+COMMENT ON COLUMN stored_move.run_id IS 'The run that wrote the judgement';
+COMMENT ON COLUMN stored_move.move_no
+  IS '0 none, always there; 1 shift, 2 scale, 3 both, 4 mirror (both, upside down)';
+COMMENT ON COLUMN stored_move.factor IS 'By what usual values of calibration are multiplied to be those of the judgement';
+COMMENT ON COLUMN stored_move.displacement IS 'What is added then, in units of the signal';
+COMMENT ON COLUMN stored_move.vectors IS 'Scored vectors that have a cell';
+COMMENT ON COLUMN stored_move.novel IS 'The novel ones of them';
+COMMENT ON COLUMN stored_move.regained IS 'Those of them whose cell is in the support once the change is undone; 0 of move 0';
+COMMENT ON COLUMN stored_move.lost IS 'Vectors not novel whose cell is not in the support then; 0 of move 0';
+
 -- Left out: the channels of which the newest run left rows out, and why.
 CREATE TABLE IF NOT EXISTS stored_left_out (
   monitor_id BIGINT NOT NULL,

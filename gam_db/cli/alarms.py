@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from gam_db.alarms import UNREPRESENTATIVE, backtesting
+from gam_db.alarms import UNREPRESENTATIVE, backtesting, figures
 from gam_db.checking.words import number_of
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
@@ -47,8 +47,8 @@ def alarms(
             changes = stored.events(state, name, after).to_pylist()
             newest = max((row["seq"] for row in changes), default=after)
             messages = [row for row in changes if row["is_message"]]
-            figures: Row = {"monitor": name, "seq": newest, "messages": messages, "changes": changes}
-            page.tell(figures, lambda out: _show_messages(out, messages, newest, shown_in), common)
+            streamed: Row = {"monitor": name, "seq": newest, "messages": messages, "changes": changes}
+            page.tell(streamed, lambda out: _show_messages(out, messages, newest, shown_in), common)
             return
         rows, judged = stored.alarms(state, name).to_pylist(), stored.limits(state, name)
     urgent = any(row["needs_attention"] for row in rows)
@@ -71,9 +71,13 @@ def alarm(settings: Settings, common: options.Common, episode: int = argument("a
     with state_of(settings) as state:
         kind = kind_of(state.monitor(name))
         rows = stored.alarms(state, name).to_pylist()
-        if (found := next((row for row in rows if row["episode"] == episode), None)) is None:
+        counted = figures.with_figures(rows, figures.figures(state.rows, name))
+        if (found := next((row for row in counted if row["episode"] == episode), None)) is None:
             raise wrong("no_episode", episode=episode)
+        said = figures.advice_of(counted)[episode]
         told: Row = {
+            "finding": None if said is None else said.finding,
+            "advice": None if said is None else said.advice,
             "judgements": stored.judgements(state, found),
             "bands": stored.bands(state, name, found),
             "cells": stored.cells(state, name, found),
@@ -81,21 +85,28 @@ def alarm(settings: Settings, common: options.Common, episode: int = argument("a
         }
 
     def show(out: page.Out) -> None:
-        _show_episodes(out, [found], shown_in)
-        judged = [{**row, "until": told_time(row["last_time"], kind)} for row in told["judgements"]]
+        if said is not None:
+            page.say(out, printable(said.finding), printable(f"What to do next: {said.advice}"), "")
+        page.say(out, *_facts(found, shown_in), "")
+        judged = [
+            {**row, "until": told_time(row["last_time"], kind), "threshold": row["height"]}
+            for row in told["judgements"]
+        ]
         columns: dict[str, page.Cell] = {
             "judgement": "judgement_no",
             **page.when("until", "until", judged, shown_in),
-            **{name: name for name in ("novel", "evidence", "height")},
+            **{name: name for name in ("novel", "evidence", "threshold")},
         }
         page.table(out, judged, columns, lambda row: "!" if row["is_open"] else " ")
+        page.say(out, page.WORDS["alarm"]["legend"].format(window=found["window_length"] or 0))
         if told["bands"]:
             page.say(out, page.WORDS["alarms"]["bands"])
             page.table(out, told["bands"], _OF_BAND)
         _show_cells(out, told["cells"], kind, shown_in)
         if told["raw_rows"] is not None:
-            page.say(out, "its rows in the source:")
-            page.say(out, printable(told["raw_rows"]))
+            page.say(out, page.WORDS["alarm"]["rows"])
+            page.verbatim(out, f"{told['raw_rows']};")
+        page.verbatim(out, "", *_commands(found))
 
     page.tell({"monitor": name, **found, **told}, show, common)
 
@@ -128,8 +139,8 @@ def label(
         found = stored.label(state, name, kind, note=note, instead=instead, **of)
         rows = [row for row in stored.alarms(state, name).to_pylist() if row["episode"] in found]
         judged = {(row["asset"], row["channel"]): row["reason"] for row in stored.limits(state, name)}
-    figures = {"monitor": name, "kind": kind, "episodes": found}
-    page.tell(figures, lambda out: page.say(out, *_said_of_label(first, kind, rows, judged)), common)
+    labelled = {"monitor": name, "kind": kind, "episodes": found}
+    page.tell(labelled, lambda out: page.say(out, *_said_of_label(first, kind, rows, judged)), common)
 
 
 def _said_of_label(
@@ -181,8 +192,7 @@ def limits(
         page.table(out, shown, columns, lambda row: " " if row["reason"] is None else "?", left)
         page.cut(out, rows, common.everything)
 
-    figures = {"monitor": settings.monitor.name, **promised(rows), "channels": rows}
-    page.tell(figures, show, common)
+    page.tell({"monitor": settings.monitor.name, **promised(rows), "channels": rows}, show, common)
 
 
 @options.taking(*options.READ, *options.ALARMS, "as_json", "quiet", "threads")
@@ -297,6 +307,35 @@ def _show_episodes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> N
         page.say(out, page.WORDS["alarms"]["together"].format(machine=machine, **row))
     if any(row["status"] == "proving" for row in rows):
         page.say(out, page.WORDS["alarms"]["proving"])
+
+
+def _facts(row: Row, shown_in: dt.tzinfo) -> Iterator[str]:
+    """Yield what an episode is, how sure, and what people said of it, a line each."""
+    words = page.WORDS["alarm"]
+    since, last = (page.time_text(row[edge], shown_in, named=True) for edge in ("since", "last_time"))
+    names = printable(" / ".join((row["asset"], row["channel"])))
+    yield words["episode"].format(**row | {"names": names, "since": since, "last_time": last})
+    basis = f"basis {row['basis']}"
+    if row["stated_rate"] is not None:
+        basis += f", stated rate {1000 * row['stated_rate']:.3g} per 1,000 judgements"
+    yield words["evidence" if row["sure"] is not None else "indicator"].format(**row | {"basis": basis})
+    label = "none yet" if row["label"] is None else row["label"]
+    until = (
+        "" if row["label_until"] is None else f" until {page.time_text(row['label_until'], shown_in)}"
+    )
+    note = "" if row["note"] is None else f" ({row['note']})"
+    yield printable(f"feedback: {label}{until}{note}")
+
+
+def _commands(row: Row) -> Iterator[str]:
+    """Yield the commands that fit an episode."""
+    words = page.WORDS["commands"]
+    yield words["title"]
+    if row["status"] not in ("merged", "withdrawn"):
+        yield words["label" if row["label"] is None else "instead"].format(**row)
+    if row["explains"] or row["label"] in ("false_alarm", "new_program"):
+        yield words["calibrate"]
+    yield words["limits"]
 
 
 def _show_cells(out: page.Out, cells: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:

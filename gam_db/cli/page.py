@@ -123,6 +123,13 @@ def say(out: Console, *lines: str) -> None:
             out.print(part, soft_wrap=True)
 
 
+def verbatim(out: Console, *texts: str) -> None:
+    """Print lines as they are, never folded: what is to be pasted elsewhere."""
+    for text in texts:
+        for line in text.split("\n"):
+            out.print(Text(printable(line)), soft_wrap=True)
+
+
 def title(out: Console, text: str) -> None:
     """Print a line that stands above others."""
     out.print()

@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from gam_db.alarms import figures
+from gam_db.alarms.advising import Advice, promise
 from gam_db.clock import SECOND, Length, TimeKind, aware, length, zone
 from gam_db.composing import template
 from gam_db.data import put
@@ -174,6 +176,7 @@ def write(
         "machine": [place_of[row["asset"]] for row in signals],
         "signals": {name: [one[name] for one in said] for name in said[0]},
         "alarms": _alarms(state, monitor, signals),
+        "promise": _promise(state, monitor, signals),
         "watched": lacking.watched,
         "problems": {name: [row[name] for row in lacking.problems] for name in _OF_PROBLEM},
         "strips": packed(np.array(rows).reshape(-1), "u1"),
@@ -287,13 +290,34 @@ def _validity(state: Reads, monitor: str) -> Row | None:
 def _alarms(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[str, list[Any]]:
     """Return the episodes of the signals in columns, open ones first, then the newest."""
     place = {(row["asset"], row["channel"]): row["place"] for row in signals}
-    rows = state.rows("report/alarms", {"monitor": template.text(monitor)})
-    rows = [row for row in rows if (row["asset"], row["channel"]) in place][:MOST_ALARMS]
+    rows = _episodes(state, monitor, signals)[:MOST_ALARMS]
+    raised = state.rows("stored/alarms/alarm_rows", {"monitor": template.text(monitor)})
+    counted = figures.with_figures(raised, figures.figures(state.rows, monitor))
+    advice = figures.advice_of(counted)
+    said = [advice[row["episode_id"]] or Advice("", "") for row in rows]
     return {
         "signal": [place[row["asset"], row["channel"]] for row in rows],
         **{name: [row[of] for row in rows] for name, of in _OF_ALARM.items()},
         **{name: [tick(row[f"{name}_tick"]) for row in rows] for name in ("since", "last")},
+        "finding": [one.finding for one in said],
+        "advice": [one.advice for one in said],
     }
+
+
+def _episodes(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
+    """Return the episodes of the signals, but for those that are a part of another."""
+    named = {(row["asset"], row["channel"]) for row in signals}
+    rows = state.rows("report/alarms", {"monitor": template.text(monitor)})
+    return [row for row in rows if (row["asset"], row["channel"]) in named]
+
+
+def _promise(state: Reads, monitor: str, signals: Sequence[Row]) -> str | None:
+    """Return what the stated rate means for the episodes of the signals, in a sentence."""
+    named = {(row["asset"], row["channel"]) for row in signals}
+    rows = state.rows("report/promises", {"monitor": template.text(monitor)})
+    rows = [row for row in rows if (row["asset"], row["channel"]) in named]
+    raised = _episodes(state, monitor, signals)
+    return promise(rows, sum(row["status"] != "withdrawn" for row in raised))
 
 
 def _courses(state: Reads, monitor: str, signals: Sequence[Row]) -> list[dict[str, NDArray[Any]]]:

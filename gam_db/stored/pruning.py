@@ -60,6 +60,7 @@ _EXPIRED = {
     **{"novel": "expired_novel", "unplaced": "expired_unplaced"},
     "unknown_program": "expired_unknown_programs",
     "left_out": "expired_left_out",
+    "move": "expired_band_visits",
     **dict.fromkeys(
         ("calibration", "buffered", "band", "extent", "limit", "checksum"), "expired_versions"
     ),

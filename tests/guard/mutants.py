@@ -161,6 +161,14 @@ _ABOUT = {
             ),
         )
     },
+    **{
+        f"stored/alarms/{name}": "test_advice"
+        for name in (
+            *("reread", "reread_usual", "moves", "unmoved", "moved", "move_counts"),
+            *("alarm_figures", "alarm_moves"),
+        )
+    },
+    "report/promises": "test_advice",
     "alarms/band": "test_explained",
     "alarms/bands": "test_explained",
     "alarms/within": "test_backtest",

@@ -18,6 +18,7 @@ from sqlglot import exp
 import engines
 import gam_db
 import sql_lint
+from gam_db.alarms.figures import figures
 from gam_db.checking.look import add_look
 from gam_db.checking.programs import add_programs, add_usual_run
 from gam_db.clock import TimeKind
@@ -744,6 +745,8 @@ def alarm_once() -> None:
         assert len(alarms.judgements(monitor.state, row)) == 5
         assert len(alarms.bands(monitor.state, "default", row)) == 1
         assert len(alarms.cells(monitor.state, "default", row)) == 1
+        counted = figures(monitor.state.rows, "default")
+        assert [row["reread_novel"] for row in counted.values()] == [4]
         assert monitor.label("false_alarm", 1) == [1]
         assert alarms.events(monitor.state, "default").num_rows == 3
         assert monitor.limits()["reason"].to_pylist() == ["unrepresentative"]

@@ -556,6 +556,31 @@ def test_episodes_are_listed_and_marked_as_the_view_says(chrome: Any, plant: Pla
         assert seen.wrong == []
 
 
+def test_a_raised_signal_begins_with_what_is_found_and_what_to_do(chrome: Any, plant: Plant) -> None:
+    text = plant.file.read_text(encoding="utf-8")
+    data = json.loads(text.partition('type="application/json">')[2].partition("<")[0])
+    alarms = [
+        dict(zip(data["alarms"], row, strict=True)) for row in zip(*data["alarms"].values(), strict=True)
+    ]
+    raised = sum(row["status"] not in ("merged", "withdrawn") for row in plant.alarms)
+    one = next(row for row in alarms if row["status"] == "open")
+    assert one["finding"].endswith(".")
+    assert one["advice"].endswith(".")
+    with browser.Seen(chrome, plant.file, viewport={"width": 1300, "height": 900}) as seen:
+        told = seen.ask("document.querySelector('.promise').textContent")
+        assert told == data["promise"]
+        assert f"of these {raised} in this time" in told or "No rate can be stated." in told
+        wide = (
+            "[...document.querySelectorAll('.table')].every(one => one.scrollWidth <= one.clientWidth)"
+        )
+        assert seen.ask(wide)
+        seen.page.click(f'tr[data-alarm="{one["id"]}"] a')
+        seen.wait("signal")
+        said = seen.ask("document.querySelector('.advice').textContent")
+        assert said == f"{one['finding']} {one['advice']}"
+        assert seen.wrong == []
+
+
 def test_a_strip_marks_its_episodes(chrome: Any, plant: Plant, tmp_path: Path) -> None:
     """Each mark goes from the column of the onset to that of the last open judgement."""
     data = json.loads(

@@ -54,6 +54,8 @@ def filled(session: DuckSession, tables: StateTables = TABLES) -> DuckSession:
     plant.add("band", **of, g=1, band=0, visits=10, novel_buffered=1)
     seen = {"judgement_no": 0, "run_id": version.buckets[0][1]}
     plant.add("band_visit", **of, **seen, band=0, visits=10, novel=1)
+    tried = {"move_no": 1, "factor": 1.0, "displacement": 2.0, "regained": 1, "lost": 0}
+    plant.add("move", **of, **seen, **tried, vectors=10, novel=1)
     plant.add("extent", **of, vectors=80, calibration_length=80)
     made = {
         "asked": "1 per month",

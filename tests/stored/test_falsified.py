@@ -71,6 +71,13 @@ MAY_DIFFER = {
         "band",
     ): "told for people; vectors and novel ones of all bands are held to the judgement",
     **{
+        ("move", column): "told for people; nothing is computed from it but a sentence"
+        for column in (
+            *("version_id", "judgement_no", "run_id", "move_no", "factor", "displacement"),
+            *("vectors", "novel", "regained", "lost", "deleted"),
+        )
+    },
+    **{
         ("proof", column): "a record of what was found then; nothing is computed from it"
         for column in ("proved_at", "extent", "channels", "versions", "buckets", "differences")
     },
@@ -94,6 +101,7 @@ CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
     "buffered": {"": lambda rows: rows[len(rows) // 2]},
     "band": {"": lambda rows: rows[0]},
     "band_visit": {"": lambda rows: rows[-1]},
+    "move": {"": lambda rows: rows[-1]},
     "judgement": {"settled": lambda rows: rows[6], "newest": lambda rows: rows[-1]},
     "block": {"": lambda rows: rows[1]},
     "ladder": {"": lambda rows: rows[1]},
@@ -107,7 +115,7 @@ CHOSEN: dict[str, dict[str, Callable[[Rows], dict[str, Any]]]] = {
 }
 
 #: Tables of which a row that is there twice is harmless: the largest counts, or each speaks for itself.
-MAY_DOUBLE = ("horizon", "band_visit")
+MAY_DOUBLE = ("horizon", "band_visit", "move")
 
 #: Tables whose rows are not of one channel; each of their columns is falsified alone.
 SHARED = ("migration", "monitor", "channel", "proof", "unplaced", "left_out", "episode", "label")

@@ -78,14 +78,22 @@ def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Pat
     assert "episode 4 (b x, " in run.output
     assert "is labelled new_program: no attention, not above its limit" in " ".join(run.output.split())
     run = typer.testing.CliRunner().invoke(app, ["alarm", "2", "--database", str(path)])
-    for words in ("30 to 32", "above 40", "-9", "SELECT"):
+    for words in ("30 to 32", "above 40", "-9"):
         assert words in run.output
+    for line in ("feedback: none yet", "! a judgement of the episode.", "  gam label 2 true_fault "):
+        assert line in run.output
+    words = " ".join(run.output.split())
+    assert "times the alarm threshold; basis table" in words
+    assert run.output.startswith("One of 2 signals of this machine that opened within two judgements: ")
+    printed = run.output.partition("of its database:\n")[2].partition(";\n")[0]
     run = typer.testing.CliRunner().invoke(app, ["alarm", "2", "--database", str(path), "--json"])
     why = json.loads(run.output)
     assert [band["excess"] for band in why["bands"]] == [10.0, 5.0], "none without excess"
     assert [cell["visits"] for cell in why["cells"]] == [14, 7]
+    assert words.startswith(f"{why['finding']} What to do next: {why['advice']} episode 2: a / ")
     with duckdb.connect(str(path), read_only=True) as connection:
         rows = connection.execute(why["raw_rows"]).fetchall()
+        assert connection.execute(printed).fetchall() == rows, "as it is pasted"
     assert [row[-1] for row in rows] == RAISED * 10, "of this signal, from its onset on"
 
 

@@ -25,7 +25,7 @@ pytestmark = pytest.mark.migrates
 
 STATE = StateTables()
 FILE = "plant.duckdb"
-TABLES_OF_A_MONITOR = 27
+TABLES_OF_A_MONITOR = 28
 
 
 @pytest.fixture(autouse=True)
@@ -93,6 +93,7 @@ def fill(connection: duckdb.DuckDBPyConnection, *monitors: int) -> None:
                 "buffered": f"{key + 100}, 0, 1, 10, 1",
                 "band": f"{key + 100}, 1, 0, 10, 1",
                 "band_visit": f"{key + 100}, 0, 1, 0, 10, 1",
+                "move": f"{key + 100}, 0, 1, 1, 1.0, 2.0, 10, 1, 1, 0",
                 "extent": f"{key + 100}, 80, 80, 1000",
                 "limit": f"{key + 100}, 1, 0, 0, 'calibrated', '1 per month', 0, 8, 1, 1, 1, 2, 3, "
                 "2, 12, 'table', NULL, NULL, 0.001, 0.001, NULL",

@@ -18,6 +18,7 @@ FIRST: dict[str, tuple[str, ...]] = {
         "method/test_programs.py::test_cells_of_programs_by_hand",
         "method/test_spec.py::test_cases[",
         "reading/",
+        "stored/test_advice.py::test_engines_agree_on_the_figures",
         "stored/test_calibrated_together.py::test_versions_and_limits_come_together[postgres-limit",
         "stored/test_data_problems.py",
         "stored/test_idle_runs.py",

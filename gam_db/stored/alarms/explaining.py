@@ -84,8 +84,8 @@ def _count(state: State, reader: Reader, group: Sequence[Row]) -> None:
         running.load("cohort", cohort_of(group, read_until=until, planned_from=0))
         rows = reader.readings(assets_of(group), earliest, max(until))
         running.put("identified", identified(running, rows))
-        found = running.rows("banded")
-    made = []
+        found, moves = running.rows("banded"), running.rows("move_counts")
+    made, moved = [], []
     for channel in group:
         version, runs = channel["version_id"], list(channel["runs"].items())
         mine = [row for row in found if row["version_id"] == version]
@@ -93,7 +93,17 @@ def _count(state: State, reader: Reader, group: Sequence[Row]) -> None:
             # Rows went, or came late, since it was scored: it is asked for no more.
             nothing = {"version_id": version, "band": -1, "visits": 0, "novel": 0}
             mine = [{**nothing, "window_no": number} for number in range(len(runs))]
-        for row in mine:
-            number, run = runs[row.pop("window_no")]
-            made.append({**row, "judgement_no": number, "run_id": run})
+        else:
+            moved += [_of_run(row, runs) for row in moves if row["version_id"] == version]
+        made += [_of_run(row, runs) for row in mine]
+    # Bands come last: a judgement that has none is counted again.
+    if moved:
+        state.append_rows("move", moved)
     state.append_rows("band_visit", made)
+
+
+def _of_run(row: Row, runs: Sequence[tuple[int, int]]) -> Row:
+    """Return what was counted of a window as that of its judgement, of the run that wrote it."""
+    number, run = runs[row["window_no"]]
+    counted = {name: value for name, value in row.items() if name != "window_no"}
+    return {**counted, "judgement_no": number, "run_id": run}

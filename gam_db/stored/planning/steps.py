@@ -42,6 +42,7 @@ from gam_db.method.scoring import (
 from gam_db.method.vectors import span_of
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import MIN_MAX, ROBUST, Parameters
+from gam_db.stored.planning.moving import add_moves
 from gam_db.stored.planning.published import add_published
 from gam_db.stored.planning.setting import NO_FIGURES, Setting
 
@@ -187,8 +188,8 @@ def add_counting(
     trusting: bool = False,
     bits: Bits | None = None,
     columns: Sequence[str] = (),
-) -> None:
-    """Add the steps from *identified* to *new_buckets* and *bucket_counts*.
+) -> OfSet:
+    """Add the steps from *identified* to *new_buckets* and *bucket_counts*; return their set.
 
     The steps hold *cohort*, and what is frozen of its channels: channels, bounds, calibration, support.
     With ``has_past`` there may be buckets that stay (*stored_visible_bucket*). One that is ``trusting``
@@ -214,15 +215,21 @@ def add_counting(
             "Running buckets: those of this run after the last window of those that stay.",
         )
     of_set.add("health/bucket_counts", tables={"buckets": buckets})
+    return of_set
 
 
 @cache
 def explaining_steps(setting: Setting, kind: TimeKind) -> Pipeline:
-    """Return the steps from *identified* to *banded*, where the signal was in windows read again."""
+    """Return the steps from *identified* to *banded* and *move_counts*, over windows read again.
+
+    They say where the signal was in them, and what of their novelty a change of it as a whole explains.
+    """
     steps = _frozen()
-    add_counting(steps, setting, kind, has_past=False)
+    of_set = add_counting(steps, setting, kind, has_past=False)
     band = band_of(exp.column("cell_key", table="visit"), template.node_of(setting.bins))
     add(steps, "stored/alarms/banded", {"window": setting.window_length, "band": band})
+    add_moves(of_set)
+    steps.small |= {"placed", "reread", "moves"}  # a few windows: a second pass would cost as much
     return steps
 
 

@@ -21,7 +21,7 @@ ROLES = ("owner", "writer", "reader")
 _DELETED = (
     *("version", "calibration", "bounds", "block", "support", "bucket", "novel", "run", "unplaced"),
     *("checksum", "horizon", "ladder", "judgement", "buffered", "band", "extent", "limit", "band_visit"),
-    *("left_out", "probe", "program", "unknown_program"),
+    *("left_out", "probe", "program", "unknown_program", "move"),
 )
 
 #: Where one writer waits for another: a column of one row is written, and stays what it was.

@@ -29,7 +29,7 @@ TABLES = (
         "proof",
         "ladder",
     ),
-    *("buffered", "extent", "limit", "judgement", "episode", "label", "band", "band_visit"),
+    *("buffered", "extent", "limit", "judgement", "episode", "label", "band", "band_visit", "move"),
     "left_out",
 )
 #: Each after those that it reads.

@@ -122,6 +122,12 @@ function legend() {
 
 const PRINTED = 500;
 
+/** The signals of a machine that are listed unasked: all that are above, else the first that rise. */
+function shownOf(members) {
+  const above = members.filter(signal => signal.above);
+  return above.length ? above : members.filter(signal => signal.rising).slice(0, 3);
+}
+
 function list() {
   const narrow = innerWidth < 700, HIGH = {machine: narrow ? 62 : 34, signal: narrow ? 58 : 28}, SEEN = narrow ? 560 : 620, BEYOND = 150;
   const box = el('div', {class: 'scroll', id: 'list', role: 'group', 'aria-label': 'Machines and signals'}), inner = el('div', {class: 'inner'});
@@ -143,7 +149,7 @@ function list() {
       shown += members.length;
       rows.push({machine});
       if (chosen.open.has(machine.number) || chosen.state || wanted) for (const signal of members) rows.push({machine, signal});
-      else if (machines.length <= 12) for (const signal of members.filter(signal => signal.above || signal.rising).slice(0, 3)) rows.push({machine, signal});
+      else if (machines.length <= 12) for (const signal of shownOf(members)) rows.push({machine, signal});
     }
     tops = [0];
     for (const row of rows) tops.push(tops[tops.length - 1] + HIGH[row.signal ? 'signal' : 'machine']);

@@ -6,7 +6,7 @@ import {across, chart, gaps, hover, numberAxis, stretch, timeAxis, uPlot, uprigh
 import {css, el, linkOf, named} from './dom.js';
 import {drawStates} from './states.js';
 import {foot, heading} from './fleet.js';
-import {list as alarmList, markChart, markStrip} from './alarms.js';
+import {advice, list as alarmList, markChart, markStrip} from './alarms.js';
 
 const titled = (text, more) => el('div', {class: 'head'}, el('h2', {}, text), el('span', {class: 'note'}, more));
 const calm = matchMedia('(prefers-reduced-motion:reduce)');
@@ -19,7 +19,7 @@ export async function drawSignal(app, signal, isStill) {
     el('nav', {class: 'crumb', 'aria-label': 'Signals'}, el('a', {href: '#/'}, '← all machines'), el('span', {}, step(signal.place - 1, '← more urgent'), ' ', step(signal.place + 1, 'less urgent →'))),
     el('h1', {}, named(signal.machine.name), ' · ', named(signal.name)),
     el('p', {class: 'state'}, el('span', {class: `chip ${signal.above ? 'hot' : signal.judged ? '' : 'hatch'}`, 'data-hi': String(signal.hi), 'data-limit': String(signal.limit)}, signal.above ? 'above its limit' : signal.judged ? 'not above its limit' : 'cannot be judged'), ' ', el('span', {}, sentence(signal))),
-    facts(signal));
+    advice(signal), facts(signal));
   app.replaceChildren(heading(), main, foot());
   if (!known) {
     const canvas = el('canvas', {class: 'alone', role: 'img', 'aria-label': 'The course of the indicator'});
