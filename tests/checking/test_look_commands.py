@@ -12,6 +12,7 @@ import pytest
 from pyarrow import parquet
 from typer.testing import CliRunner, Result
 
+import tiny
 from gam_db.cli import app, config, toml_text
 from gam_db.errors import ConfigurationError
 from gam_db.reading.guess import SourceSettings
@@ -394,8 +395,9 @@ def test_init_leaves_eight_blocks_or_says_that_calibration_is_too_short(
     samples: int, window: int | None
 ) -> None:
     """81 samples of calibration are 80 vectors, 8 windows of 10; one less is too short for any."""
-    done = gam("init", series(x=samples), *WHOLE_OF_IT)
-    written = config.load().parameters
+    with tiny.as_delivered():
+        done = gam("init", series(x=samples), *WHOLE_OF_IT)
+        written = config.load().parameters
     if window is None:
         assert written["window"] == "auto"
         words = "calibration is too short for any: 8 windows of 10 vectors take 81 samples, and it has"
@@ -411,9 +413,10 @@ def test_init_leaves_eight_blocks_or_says_that_calibration_is_too_short(
 
 
 def test_init_gives_a_shorter_channel_a_window_of_its_own() -> None:
-    done = gam("init", series(a=2000, b=2000, c=300, d=40, e=2000), *WHOLE_OF_IT)
-    assert done.exit_code in (0, 2), done.output
-    parameters = config.load().method()[0]
+    with tiny.as_delivered():
+        done = gam("init", series(a=2000, b=2000, c=300, d=40, e=2000), *WHOLE_OF_IT)
+        assert done.exit_code in (0, 2), done.output
+        parameters = config.load().method()[0]
     windows = {name: parameters.of("R1", name).window for name in "abcde"}
     assert windows == {"a": 50, "b": 50, "c": 18, "d": 50, "e": 50}, "149 vectors: 8 windows of 18"
     said = " ".join(Path("gam.toml").read_text().replace("#", " ").split())

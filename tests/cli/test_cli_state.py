@@ -78,7 +78,7 @@ def test_a_worn_channel_comes_first_and_asks_for_attention() -> None:
     assert lines[first].split()[:6] == ["!", "R1", "j1", "ready", "0.010", "1.00"]
     assert "+0.95" in lines[first]
     assert "▁▅█" in lines[first]
-    assert any(line.startswith("- R1 j1: above its limit of 0.050") for line in lines)
+    assert any(line.startswith("- R1 j1: far above its limit of 0.050") for line in lines)
     place = next(number for number, line in enumerate(lines) if line.split()[:2] == ["machine", "above"])
     assert lines[place + 1].split()[:5] == ["!", "R1", "1", "of", "2"]
     assert lines[place + 1].split()[7] == "j1", "the first one, after day and time"

@@ -98,6 +98,6 @@ def test_lines_that_repeat_the_header_are_said_to_be_that(tmp_path: Path) -> Non
         path.write_text(day * 3)
         with pytest.raises(SourceError, match="2 lines of the file repeat its header") as caught:
             read(path, value="current")
-        assert "--null time --null current --where '\"time\" IS NOT NULL'" in str(caught.value)
+        assert "--null time --null current --where '\"time\" IS NOT NULL'" in caught.value.options
         found = read(path, value="current", null=["time", "current"], where='"time" IS NOT NULL')
         assert len(found) == 3 * rows

@@ -256,7 +256,7 @@ def test_an_hour_that_does_not_exist_is_refused_and_its_remedies_help() -> None:
     source = gam_db.Source(spring(), **named, source_time_zone="Europe/Berlin")
     with pytest.raises(SourceError, match=SKIPPED) as refusal:
         gam_db.support(source, *METHOD)
-    said = str(refusal.value)
+    said = refusal.value.options
     condition = said.partition('where="')[2].partition('"')[0]
     mended = gam_db.Source(spring(), **named, source_time_zone="Europe/Berlin", where=condition)
     assert gam_db.support(mended, *METHOD)["samples"].to_pylist() == [1440]

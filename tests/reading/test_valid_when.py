@@ -149,7 +149,7 @@ def test_a_dbt_package_holds_readings_to_the_condition() -> None:
         sum(row["novel"] for row in expected if row["asset"] == asset) for asset in "ab"
     ]
     plain = Package(gam_db.Source("telemetry"), METHOD[0], calibration).files()
-    hashed = [files["models/calibration/gam_channel.sql"] for files in (plain, package.files())]
+    hashed = [files["models/staging/gam_channel.sql"] for files in (plain, package.files())]
     assert hashed[0] != hashed[1]
 
 

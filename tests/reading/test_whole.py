@@ -61,7 +61,7 @@ def series(way: str, count: int = 100) -> list[str]:
     [
         ("%Y-%m-%d %I:%M:%S %p", "'%Y-%m-%d %I:%M:%S %p' would"),
         ("%Y-%m-%d %I:%M %p", "'%Y-%m-%d %I:%M %p' would"),
-        ("%d.%m.%y %H:%M:%S", "'%d.%m.%y %H:%M:%S' or --time-format '%y.%m.%d %H:%M:%S' would"),
+        ("%d.%m.%y %H:%M:%S", "'%d.%m.%y %H:%M:%S' or time_format='%y.%m.%d %H:%M:%S' would"),
         ("%d/%m/%y %H:%M:%S", "'%d/%m/%y %H:%M:%S' or .*'%y/%m/%d %H:%M:%S' would .* which is meant"),
         ("%d/%m/%y %H:%M", "'%d/%m/%y %H:%M' or .*'%y/%m/%d %H:%M' would .* which is meant"),
         ("%d-%b-%Y %H:%M", "'%d-%b-%Y %H:%M' would"),
@@ -189,7 +189,7 @@ SMALL = gam_db.Parameters(m=1, tau=1, bins=4, window=5)
             "INTEGER",
             "REAL",
             (50, "Bad"),
-            "1 of 51 .* 'value', declared REAL, are no numbers.*--null Bad",
+            "1 of 51 .* 'value', declared REAL, are no numbers.*null='Bad'",
         ),
         ("INTEGER", "REAL", (50, "1.5abc"), "no numbers: the first is '1.5abc'"),
         ("INTEGER", "INTEGER", (50, "1,5"), "declared INTEGER, are no numbers: the first is '1,5'"),

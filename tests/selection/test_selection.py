@@ -283,7 +283,7 @@ def test_a_window_of_few_cycles_is_short() -> None:
         (3000, None, 374, 374),  # 2,998 vectors
         (3000, None, 375, 374),
         (82, None, 100, 10),
-        (80, None, 100, None),  # too short for any
+        (79, None, 100, None),  # too short for any
         (80, None, 9, 9),
     ],
 )

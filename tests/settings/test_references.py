@@ -190,4 +190,4 @@ def test_an_option_goes_before_the_file() -> None:
 def test_options_that_say_nothing_clear_are_refused(words: list[str], message: str) -> None:
     refusal = asked("", *words).exception
     assert isinstance(refusal, UserError)
-    assert re.search(message, str(refusal))
+    assert re.search(message, refusal.options)

@@ -191,6 +191,10 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
     subprocess.run(["umount", str(folder)], check=True)
 
 
+#: What a run writes, all of it or nothing.
+RUN = {"bucket", "episode", "judgement", "novel", "run", "unplaced"}
+
+
 def endure(folder: Path, tightness: Callable[[Path, int], Any], expected: list[Any]) -> None:
     """Run every command with more and more room on the disk, until it has enough."""
     path, failures = folder / "plant.duckdb", dict.fromkeys(("migrate", "calibrate", "score"), 0)
@@ -217,8 +221,12 @@ def endure(folder: Path, tightness: Callable[[Path, int], Any], expected: list[A
             with DuckSession(path, writable=True) as session:
                 after = stored(session.connection)
             grown = [table for table in after if after[table] != before.get(table, [])]
-            # What is a transaction of its own stays: each migration, and the row of a new monitor.
-            assert set(grown) <= {"migrate": {"migration"}, "calibrate": {"monitor"}}.get(command, set())
+            # What is a transaction of its own stays: each migration, the row of a new monitor, and a run,
+            # after which comes where signals went.
+            assert (
+                set(grown) <= {"migrate": {"migration"}, "calibrate": {"monitor"}, "score": RUN}[command]
+            )
+            assert "run" in grown or not RUN & set(grown)
         with DuckSession(path, writable=True) as session:
             getattr(monitor(session), command)()
             if command == "calibrate":
