@@ -221,8 +221,8 @@ def endure(folder: Path, tightness: Callable[[Path, int], Any], expected: list[A
             with DuckSession(path, writable=True) as session:
                 after = stored(session.connection)
             grown = [table for table in after if after[table] != before.get(table, [])]
-            # What is a transaction of its own stays: each migration, the row of a new monitor, and a run,
-            # after which comes where signals went.
+            # What is a transaction of its own stays: each migration, the row of a new monitor, and a
+            # run, after which comes where signals went.
             assert (
                 set(grown) <= {"migrate": {"migration"}, "calibrate": {"monitor"}, "score": RUN}[command]
             )

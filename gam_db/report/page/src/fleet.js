@@ -204,8 +204,8 @@ function list() {
         el('span', {class: 'bar'}, el('span', {class: 'value'}, `${machine.above} of ${machine.watched}`), gauge(machine.watched ? machine.above / machine.watched : 0, null, machine.above > 0)),
         el('span', {class: 'words'}, machine.fresh ? el('span', {class: 'badge'}, `${machine.fresh} new`) : null,
           machine.above ? el('b', {}, `since ${shortly(machine.since)}: `, named(machine.first)) : machine.judged ? 'none above its limit' : 'cannot be judged yet',
-          machine.above > 1 && machine.strongest !== machine.first ? ['; strongest ', named(machine.strongest)] : '', machine.strength == null ? '' : `, ${machine.strength.toFixed(1)} times its limit`,
-          machine.together > 1 ? `; ${machine.together} left together` : machine.notWatched && machine.judged ? `; ${machine.notWatched} not watched` : '',
+          machine.above > 1 && machine.strongest !== machine.first ? ['; ', named(machine.strongest)] : '', machine.strength == null ? '' : ` ${machine.strength.toFixed(1)} × limit`,
+          machine.together > 1 ? `; ${machine.together} together` : machine.notWatched && machine.judged ? `; ${machine.notWatched} not watched` : '',
           machine.silent ? `; ${machine.silent === parts ? '' : `${machine.silent} `}silent` : ''));
     }
     return el('a', {class: 'row signal', 'data-place': place, href: linkOf(signal)},
