@@ -152,8 +152,14 @@ _PLACEHOLDER = re.compile(r"[A-Z]{2,}(/[A-Z]{2,})?")
 
 
 def _in_python(text: str) -> str:
-    """Return a message with arguments of Python in the place of options of the command line."""
-    return _OPTION.sub(_argument, text)
+    """Return a message with arguments of Python in the place of options of the command line.
+
+    Commands, which stand in backticks, stay as they are.
+    """
+    parts = text.split("`")
+    return "`".join(
+        part if place % 2 else _OPTION.sub(_argument, part) for place, part in enumerate(parts)
+    )
 
 
 def _argument(option: re.Match[str]) -> str:

@@ -25,10 +25,21 @@ def is_constant(node: exp.Expr) -> bool:
     return isinstance(node, (exp.Literal, exp.Null, exp.Boolean))
 
 
-def folded(query: exp.Query) -> exp.Query:
-    """Return a query without conditions and cases that constants decide."""
+def folded(query: exp.Query, is_typed: bool = True) -> exp.Query:
+    """Return a query without conditions and cases that constants decide.
+
+    Args:
+        query: is changed.
+        is_typed: whether a column that is always NULL keeps its type. If not, what is compared with NULL
+            is decided, too.
+    """
     for node in reversed(list(query.walk())):
-        if node is not query and (folded_node := _fold(node)) is not node:
+        folded_node = _fold(node)
+        if is_typed and isinstance(folded_node, exp.Null) and _is_column_of_cases(node):
+            continue
+        if folded_node is node and not is_typed:
+            folded_node = _fold_null(node)
+        if node is not query and folded_node is not node:
             node.replace(folded_node)
     for select in query.find_all(exp.Select):
         where = select.args.get("where")
@@ -87,9 +98,6 @@ def _fold(node: exp.Expr) -> exp.Expr:
         left, right = _integer(node.this), _integer(node.expression)
         if left is not None and right is not None:
             return exp.Boolean(this=compared(left, right))
-        nothing = any(is_constant(side) and side.find(exp.Null) for side in node.iter_expressions())
-        if nothing and _decides(node):
-            return exp.false()
     if isinstance(node, (exp.And, exp.Or)):
         neutral = exp.Boolean(this=isinstance(node, exp.And))
         sides = [side for side in (node.this, node.expression) if side != neutral]
@@ -98,9 +106,22 @@ def _fold(node: exp.Expr) -> exp.Expr:
         return neutral if not sides else sides[0] if len(sides) == 1 else node
     if isinstance(node, exp.Case) and node.this is None:
         return _fold_case(node)
+    return node
+
+
+def _is_column_of_cases(node: exp.Expr) -> bool:
+    """Tell whether a node is a column made of cases, which give it its type."""
+    return isinstance(node, exp.Case) and isinstance(node.parent, exp.Alias) and bool(node.args["ifs"])
+
+
+def _fold_null(node: exp.Expr) -> exp.Expr:
+    """Return what is decided by NULL."""
     if isinstance(node, (exp.Min, exp.Max)) and isinstance(node.this, exp.Null):
         return exp.Null()
-    return node
+    if type(node) not in _COMPARED or not _decides(node):
+        return node
+    nothing = any(is_constant(side) and side.find(exp.Null) for side in node.iter_expressions())
+    return exp.false() if nothing else node
 
 
 #: What comes before a comparison.

@@ -71,9 +71,12 @@ def drop_empty(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
 
 
 def _is_empty(query: exp.Select, steps: Mapping[str, exp.Query]) -> bool:
-    """Tell whether a query reads a step that has no row, or is such a one."""
+    """Tell whether a query reads a step that has no row, or is such a one: it reads nothing.
+
+    A condition that never holds is left alone: what reads the rows would lose the types of its columns.
+    """
     where = query.args.get("where")
-    if where is not None and where.this == exp.false():
+    if query.args.get("from_") is None and where is not None and where.this == exp.false():
         return True
     first = query_of(sources_of(query)[0][0], steps) if sources_of(query) else None
     return isinstance(first, exp.Select) and _is_empty(first, steps)

@@ -48,9 +48,10 @@ def tidied(
                 join_once(select, keys or {})
         for _ in range(1 if by_name else 3):  # what is folded within decides what is around it
             for select in selects_of(query):
-                drop_empty(select, tidied_steps)
+                if not by_name:
+                    drop_empty(select, tidied_steps)
                 _inline(select, constants)
-            query = folded(query)
+            query = folded(query, is_typed=by_name)
         tidied_steps[name] = query
         for select in selects_of(query):
             drop_rows(select, tidied_steps)

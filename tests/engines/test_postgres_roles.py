@@ -33,16 +33,16 @@ SETTINGS = (
 )
 
 #: What the status takes, and what there is to look at.
-STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"}
+STATUS = {"migration", "monitor", "proof", "visible_bucket", "fleet", "machine", "stillness"}
 STATUS |= {"version", "bounds", "run", "finished_run", "unplaced", "left_out", "unjudged_program"}
-SHOWN = {"health", "quarantine", "unplaced_day", "onset", "machine", "growth", "cell", "trend"}
+SHOWN = {"health", "quarantine", "unplaced_day", "onset", "growth", "cell", "trend"}
 SHOWN |= {"channel", "limit", "alarm", "ladder", "probe", "program", "label", "last_run"}
 SHOWN |= {"visible_judgement", "labelled_episode", "alarm_event", "alarm_band", "alarm_cell"}
 
 #: The views that a writer takes, and the tables whose rows stay.
 COUNTING = {"finished_run", "visible_bucket", "visible_novel", "fleet"}
 COUNTING |= {"visible_judgement", "visible_episode", "stillness"}
-COUNTING |= {"visible_program", "unjudged_program"}
+COUNTING |= {"visible_program", "unjudged_program", "alarm"}
 KEPT = {"migration", "monitor", "channel", "proof", "episode", "label"}
 
 #: What a writer does.

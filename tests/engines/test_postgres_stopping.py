@@ -33,7 +33,18 @@ def begun(name: str, plant: Any, *words: str) -> "subprocess.Popen[str]":
     info = plant.info
     address = f"postgresql://{info.user}@{info.host}:{info.port}/{name}"
     process = subprocess.Popen(
-        [*GAM, "run", "telemetry", "--database", address, "--where", SLOW, "--no-out", *words],
+        [
+            *GAM,
+            "run",
+            "telemetry",
+            "--database",
+            address,
+            "--where",
+            SLOW,
+            "--where-any",
+            "--no-out",
+            *words,
+        ],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,

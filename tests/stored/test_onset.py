@@ -125,10 +125,11 @@ def expected_onsets(health: list[dict[str, Any]]) -> dict[Any, tuple[int, int, i
 def expected_episodes(alarms: list[dict[str, Any]]) -> dict[Any, tuple[int, int, int]]:
     """Channel -> the same of its episode that is open, or asks."""
     found = {}
-    for row in sorted(alarms, key=lambda row: (row["status"] == "open", row["episode_id"])):
-        if row["status"] == "open" or row["needs_attention"]:
+    for row in sorted(alarms, key=lambda row: (row["status"] in ("open", "high"), row["episode_id"])):
+        if row["status"] in ("open", "high") or row["needs_attention"]:
             windows = row["last_judgement"] - row["first_judgement"] + 1
-            length = (row["last_tick"] - row["first_tick"]) * 20 // (windows * 20 - 1)
+            window = WINDOWS.get(row["asset"], 20)
+            length = (row["last_tick"] - row["first_tick"]) * window // (windows * window - 1)
             found[row["asset"], row["channel"]] = (row["since_tick"], 0, row["since_tick"] - length)
     return found
 
@@ -136,15 +137,15 @@ def expected_episodes(alarms: list[dict[str, Any]]) -> dict[Any, tuple[int, int,
 def compare(monitor: Monitor) -> dict[Any, tuple[int, int, int]]:
     """Compare gam_fleet and gam_machine with what gam_health and gam_alarm say; return the onsets.
 
-    Onsets are those of the indicator; what is judged by episodes has another in gam_fleet.
+    Onsets are those of the indicator at the end of buckets; gam_fleet has those of episodes, which
+    windows of their own open, whatever judges.
     """
     fleet = {(row["asset"], row["channel"]): row for row in shown(monitor, "fleet", *FLEET)}
     health = shown(monitor, "health", *HEALTH)
     onsets = expected_onsets(health)
     for row in health:
         assert row["hi_limit"] == fleet[row["asset"], row["channel"]]["hi_limit"]
-    above = {name: said for name, said in onsets.items() if fleet[name]["judged_by"] == "indicator"}
-    above |= expected_episodes(shown(monitor, "alarm", *ALARM))
+    above = expected_episodes(shown(monitor, "alarm", *ALARM))
     for name, row in fleet.items():
         assert (
             (name in above) == (row["status"] in ("high", "proving", "open")) == (row["is_above"] == 1)

@@ -64,7 +64,7 @@ def test_the_most_urgent_channel_comes_first_and_says_why(session: DuckSession) 
         ("R3", "j1", "not assessed", False),
     ]
     first = rows[0]
-    assert first["remarks"] == ["above its limit of 0.050, 50 % of the novel vectors out of range"]
+    assert first["remarks"] == ["far above its limit of 0.050, 50 % of the novel vectors out of range"]
     assert (first["hi"], first["novel_in_window"], first["window"]) == (0.6, 12, 20)
     assert (first["novel_window_before"], first["trend"]) == (1, 11 / 20)
     assert (first["floor"], first["hi_limit"], first["verdict"]) == (0.01, 0.05, "ready")

@@ -27,8 +27,10 @@ _DELETED = (
 #: Where one writer waits for another: a column of one row is written, and stays what it was.
 _TOUCHED = {"migration": "applied_at", "monitor": "created"}
 
-#: The views by which runs, buckets and cells that count are found, and what a run says in the end.
+#: The views by which runs, buckets and cells that count are found, and what a run or a label says in the
+#: end.
 _COUNTING = (
+    "alarm",
     *("finished_run", "visible_bucket", "visible_novel", "visible_program"),
     *("visible_judgement", "visible_episode"),
     *("fleet", "stillness", "unjudged_program"),
@@ -36,7 +38,7 @@ _COUNTING = (
 
 #: What the status is made of.
 _STATUS = (
-    *("migration", "monitor", "proof", "visible_bucket", "fleet", "stillness"),
+    *("migration", "monitor", "proof", "visible_bucket", "fleet", "machine", "stillness"),
     *("version", "bounds", "run", "finished_run", "unplaced", "left_out", "unjudged_program"),
 )
 
