@@ -126,3 +126,27 @@ def test_readers_keep_the_old_view_while_a_script_builds_the_new_one() -> None:
         assert reader.sql("SELECT count(*) FROM p_health").fetchall() == [(160,)]
         connection.execute(commit)
         assert reader.sql("SELECT count(*) FROM p_health").fetchall() == [(160,)]
+
+
+@pytest.mark.parametrize("gap", [None, 3])
+def test_a_printed_probe_is_that_of_python(gap: int | None) -> None:
+    with duckdb.connect() as connection:
+        connection.execute(
+            "CREATE TABLE telemetry AS SELECT 'M' || k % 2 AS asset, 'j' || k AS channel, i AS time, "
+            "sin(i / (5.0 + k)) + hash(i * 31 + k) % 1000 / 3000.0 AS value "
+            "FROM range(3000) t(i), range(3) s(k) WHERE i % 97 > k"
+        )
+        source = gam_db.Source("telemetry", time_kind="counter")
+        method = (
+            gam_db.Parameters(m=2, tau=2, bins=12, window=60, max_gap=gap),
+            gam_db.Calibration(fraction=0.5),
+        )
+        connection.execute(gam_db.render("view", "duckdb", source, *method, without=()))
+        for relation, of in (("probes", gam_db.probe), ("support_summary", gam_db.support)):
+            expected = of(source, *method, engine=connection)
+            printed = connection.table(f"gam_live_{relation}")
+            names = [name for name in printed.columns if name in expected.column_names]
+            assert {"novel", "vectors"} <= {*names} or {"sees", "sees_frozen", "verdict"} <= {*names}
+            rows = printed.select(*map(duckdb.ColumnExpression, names)).to_arrow_table()
+            order = [(name, "ascending") for name in names[:4]]
+            assert rows.sort_by(order).to_pylist() == expected.select(names).sort_by(order).to_pylist()
