@@ -153,7 +153,7 @@ def test_the_views_show_what_finished_runs_left(
         return sorted(rows, key=lambda row: [row[key] for key in ("monitor", "asset", "channel", *by)])
 
     seen = ordered(shown(session, "health"), "bucket")
-    judged = [{key: row.pop(key) for key in ("verdict", "hi_limit")} for row in seen]
+    judged = [{key: row.pop(key) for key in ("verdict", "taught_by", "hi_limit")} for row in seen]
     assert seen == ordered(health, "bucket")
     assert ordered(shown(session, "quarantine"), "cell_key") == ordered(quarantine, "cell_key")
     found = ordered(shown(session, "fleet"))
