@@ -539,7 +539,7 @@ def test_episodes_are_listed_and_marked_as_the_view_says(chrome: Any, plant: Pla
             row = alarms[number]
             assert signal == f"{row['asset']} · {row['channel'] or '(no name)'}"
             assert (said, since) == (f"{number}, {row['status']}", clock(row["since_tick"]))
-            by_evidence = f"{row['evidence'] / row['height']:.1f} times what opens one"
+            by_evidence = f"{row['evidence'] / row['height']:.1f} times the threshold"
             assert evidence == (by_evidence if row["height"] > 1 else "by its indicator")
             if row["label"]:
                 assert label == f"{row['label'].replace('_', ' ')}: {row['note']}"
