@@ -175,7 +175,8 @@ def test_tables_are_those_of_the_stored_form(calibration: dict[str, Any], gap: i
             if name in ("health", "fleet"):
                 pooled = set() if rule.pool else {"vouched_by", "taught_by", "member_floor", "vouching"}
                 assert set(stored) - ONLY_STORED - pooled == set(columns) | set(_dates(name))
-            shared = [f'"{column}"' for column in columns if column in stored]
+            judged = JUDGED if name in ("fleet", "machine") else set()
+            shared = [f'"{column}"' for column in columns if column in stored and column not in judged]
             of_both = [
                 named(builder.rows(f"SELECT {', '.join(shared)} FROM {table}"), *known)
                 for table, known in (
@@ -197,7 +198,8 @@ LEAVING = {
 LEAVING |= {("B", "x"): (300, 500), ("B", "y"): (410, 900)}
 
 
-def test_onsets_and_machines_are_those_of_the_stored_form() -> None:
+def test_onsets_and_machines_are_those_of_the_indicator() -> None:
+    """A walk over the buckets; a monitor has episodes instead, which windows of their own open."""
     rows = [
         (*key, t, float(t % 5) + (9.0 if left <= t < back else 0.0))
         for key, (left, back) in LEAVING.items()
@@ -206,25 +208,35 @@ def test_onsets_and_machines_are_those_of_the_stored_form() -> None:
     parameters, rule = harness.made(
         {"m": 2, "tau": 1, "bins": 5, "window": 60, "stride": 10}, {"intervals": [(0, 249)]}
     )
+    since: dict[tuple[str, str], int | None] = {}
     with opened() as connection:
         arrive(connection, rows)
-        reach: dict[str, Any] = {"prefix": "state_", "park_after": False}
-        monitor = Monitor(connection, gam_db.Source("telemetry"), parameters, rule, **reach)
-        monitor.migrate()
-        monitor.calibrate()
-        monitor.score()
         builder = Builder(package(parameters=parameters, calibration=rule).files(), connection)
         builder.build()
-        for view, columns in {
-            "fleet": "asset, channel, status, since_tick",
-            "machine": "asset, signals, judged, above, not_judged, since_tick, together",
-        }.items():
-            found, stored = (
-                builder.rows(f"SELECT {columns} FROM {prefix}_{view} ORDER BY ALL")
-                for prefix in ("gam", "state")
-            )
-            assert found == stored
-    assert [(row["above"], row["together"]) for row in found] == [(3, 2), (1, 1)]
+        for row in builder.rows("SELECT * FROM gam_health ORDER BY asset, channel, bucket"):
+            name = (row["asset"], row["channel"])
+            is_above = row["hi"] is not None and row["hi"] > row["hi_limit"]
+            since[name] = (since.get(name) or row["last_tick"]) if is_above else None
+        fleet = builder.rows("SELECT * FROM gam_fleet")
+        machines = builder.rows("SELECT * FROM gam_machine ORDER BY machine_rank")
+    assert {(row["asset"], row["channel"]): row["since_tick"] for row in fleet} == since
+    assert {name for name, tick in since.items() if tick is not None} == {
+        *(("A", "x"), ("A", "y"), ("A", "z"), ("B", "y"))
+    }
+    assert all((row["status"] == "high") == (row["since_tick"] is not None) for row in fleet)
+    told = ("asset", "signals", "watched", "above", "not_judged", "first_channel", "together")
+    assert [tuple(row[name] for name in told) for row in machines] == [
+        ("A", 4, 4, 3, 0, "x", 2),
+        ("B", 2, 2, 1, 0, "y", 1),
+    ]
+    assert machines[0]["since_tick"] == since["A", "x"]
+
+
+#: What a monitor judges by episodes, also where its indicator opens them, and a package by buckets.
+JUDGED = {
+    *("status", "urgency", "needs_attention", "is_above", "strength", "since_tick", "above"),
+    *("judged", "not_judged", "first_channel", "strongest_channel", "machine_rank", "together"),
+}
 
 
 STORED_CHANNELS = f"SELECT * FROM {STATE('channel')} JOIN {STATE('version')} USING (channel_id)"
