@@ -31,7 +31,7 @@ from gam_db.export.printing import PAGES, SENTENCE, composed, inline_single, own
 LONGEST = 120
 
 #: Steps that are models wherever they are, for whoever reads the formulas of the method.
-_FORMULAS = ("codes", "vectors", "novelty", "cohort", EARLIER)
+_FORMULAS = ("codes", "vectors", "novelty", "cohort", "assessed", EARLIER)
 
 #: The steps that have a row per channel.
 _KEYS = dict.fromkeys(("channel", "channel_channels", "cohort"), "channel_id")

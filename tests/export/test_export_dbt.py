@@ -422,7 +422,7 @@ def test_settings_of_another_package_are_told_apart() -> None:
         ("no adapter for sqlite", {"engine": "sqlite"}),
         ("'postgres'", {"engine": "postgre"}),
         ("prefix", {"prefix": "1 "}),
-        ("--schema", {"source": gam_db.Source("plant.t"), "schema": "lines"}),
+        ("schema says 'lines'", {"source": gam_db.Source("plant.t"), "schema": "lines"}),
         ("lookback", {"lookback": "1 parsec"}),
         ("certificate", {"without": ["certificate"]}),
         ("'prob'", {"without": ["prob"]}),
