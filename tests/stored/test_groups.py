@@ -84,7 +84,9 @@ def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Pat
         assert line in run.output
     words = " ".join(run.output.split())
     assert "times the alarm threshold; basis table" in words
-    assert run.output.startswith("One of 2 signals of this machine that opened within two judgements: ")
+    assert run.output.startswith(
+        "2 signals of this machine opened within two judgements; the strongest, x: "
+    )
     printed = run.output.partition("of its database:\n")[2].partition(";\n")[0]
     run = typer.testing.CliRunner().invoke(app, ["alarm", "2", "--database", str(path), "--json"])
     why = json.loads(run.output)
