@@ -235,4 +235,4 @@ def test_the_report_for_people() -> None:
 def test_options_are_checked(options: tuple[str, ...], words: str) -> None:
     answer = invoked(*options)
     assert isinstance(answer.exception, ConfigurationError)
-    assert words in str(answer.exception)
+    assert words in answer.exception.options

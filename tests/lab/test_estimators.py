@@ -18,7 +18,7 @@ import estimator_reference
 import gam_db
 import reference
 from gam_db import langevin
-from gam_db.errors import ParameterError, UserError
+from gam_db.errors import UserError
 from gam_db.lab.estimators import ESTIMATORS, forest, ocsvm
 from harness import arrow, assert_same, made
 from strategies import Case, cases
@@ -247,13 +247,13 @@ def test_widened_thresholds_decide_as_rounded_values(
     [
         ({"estimator": "gmn"}, "no estimator 'gmn'; did you mean 'gmm'"),
         ({"estimator": "gmm", "sample": 1}, "sample is 1; it must be at least 2"),
-        ({"estimator": "gmm", "sample": 0.5}, "sample is 0.5; it must be an integer"),
+        ({"estimator": "gmm", "sample": 0.5}, "sample of scores is a float; it takes an integer"),
         ({"estimator": "gmm", "seed": -1}, "seed is -1; it must be at least 0"),
         ({"estimator": "gmm", "seed": 2**32}, "below 4294967296"),
     ],
 )
 def test_what_cannot_be_asked(changed: dict[str, Any], message: str, machine: Any) -> None:
-    with pytest.raises(ParameterError, match=message):
+    with pytest.raises(UserError, match=message):
         gam_db.scores(*machine[:3], **changed)
 
 
