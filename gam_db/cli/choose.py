@@ -14,6 +14,7 @@ from gam_db.checking.words import number_of
 from gam_db.cli import automatic, options, page
 from gam_db.cli.chosen import chosen, written
 from gam_db.cli.config import DEFAULT_FILE, Settings, load
+from gam_db.cli.course import Course
 from gam_db.cli.job import Job, healthy_part, reading
 from gam_db.cli.options import option
 from gam_db.columns import name_of
@@ -113,7 +114,7 @@ def _show(
 
 def _lines(
     one: Row, window: int, lags: Sequence[Row], dimensions: Sequence[Row], budget: Sequence[Row]
-) -> Iterator[tuple[str, str | page.Course]]:
+) -> Iterator[tuple[str, str | Course]]:
     if one["verdict"] in ("constant", "no_data"):
         said = {"constant": "did not move", "no_data": "no usable sample or no whole vector"}
         yield "", f"{one['verdict']}: {said[one['verdict']]} in {one['samples']:,} samples"
@@ -123,9 +124,9 @@ def _lines(
     yield "tau", f"{tau}: {page.WORDS['tau'][one['tau_rule']]}" + (f" ({others})" if others else "")
     if len(lags) > 1:
         highest = max(row["ami"] for row in lags[1:])
-        yield "AMI", page.Course(_scaled([row["ami"] for row in lags[1:]]))
+        yield "AMI", Course(_scaled([row["ami"] for row in lags[1:]]))
         yield "", f"lags 1 to {lags[-1]['delay']}, up to {highest:.2f} nats"
-        yield "acf", page.Course(_scaled([row["acf"] for row in lags[1:]]))
+        yield "acf", Course(_scaled([row["acf"] for row in lags[1:]]))
     dimension = page.WORDS["dimension"][one["fnn_status"]].format(m=one["m_fnn"])
     cao = page.WORDS["cao"][one["cao_status"]].format(m=one["m_cao"])
     yield "m", f"{dimension}; {cao}"

@@ -16,24 +16,20 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 import typer
-from numpy.typing import NDArray
 from rich.cells import cell_len
-from rich.console import Console, ConsoleOptions, RenderResult
+from rich.console import Console
 from rich.table import Column, Table
 from rich.text import Text
 
 import gam_db
 from gam_db import data
 from gam_db.checking.words import number_of
+from gam_db.cli.course import Course
 from gam_db.cli.exits import Exit
 from gam_db.cli.options import SHOWN, Common
 from gam_db.clock import TimeKind, aware, shown_length
 from gam_db.errors import printable
 from gam_db.findings import SEES, Row, is_short, share
-
-BLOCKS = "▁▂▃▄▅▆▇█"
-PLAIN_BLOCKS = "_.,-=+*#"
-"""The same scale, for a terminal that has no block characters."""
 
 MARKS = {"proving": "!", "open": "!", "high": "!", "setup": "?", "waiting": "~"}
 _STYLES = {"!": "bold red", "?": "yellow", "^": "yellow", "~": "cyan"}
@@ -45,8 +41,6 @@ Cell = str | Callable[[Row], Any]
 
 _WIDEST = 120
 """Columns beyond which a page is hard to read."""
-_POINTS = 64
-"""Points of a course at most, as the state keeps them."""
 _NAMED = 5
 """Channels that a remark names."""
 
@@ -203,35 +197,6 @@ def _print(out: Console, laid: Table) -> None:
         text = Text.assemble(*((part.text, part.style or "") for part in line))
         text.rstrip()
         out.print(text, soft_wrap=True)
-
-
-class Course:
-    """The indicator so far, oldest first, as a cell of a table; see :func:`sparkline`."""
-
-    least, most = 12, 48
-
-    def __init__(self, points: Sequence[float | None] | NDArray[np.float64]) -> None:
-        self.points = np.array(points, np.float64)
-
-    def __rich_console__(self, _: Console, options: ConsoleOptions) -> RenderResult:
-        blocks = PLAIN_BLOCKS if options.ascii_only else BLOCKS
-        yield Text(sparkline(self.points, min(options.max_width, self.most), blocks))
-
-
-def sparkline(course: NDArray[np.float64], width: int, blocks: str = BLOCKS) -> str:
-    """Return a course as one character per stretch of it, on the fixed scale 0 to 1; NaN is a gap."""
-    return "".join(
-        " " if math.isnan(point) else blocks[min(int(point * len(blocks)), len(blocks) - 1)]
-        for point in thinned(course, width)
-    )
-
-
-def thinned(course: NDArray[np.float64], points: int = _POINTS) -> list[float]:
-    """Return a course in at most so many points, the highest of each stretch: no peak is lost."""
-    if not len(course):
-        return []
-    stretches = np.array_split(course, min(points, len(course)))
-    return [float(np.fmax.reduce(stretch)) for stretch in stretches]
 
 
 def channels(

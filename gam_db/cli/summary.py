@@ -17,6 +17,7 @@ from gam_db.checking.words import number_of
 from gam_db.cli import automatic, options, page, pools
 from gam_db.cli import machines as of_machines
 from gam_db.cli import programs as of_programs
+from gam_db.cli.course import thinned
 from gam_db.cli.job import Job
 from gam_db.clock import SINCE_1970, epoch_unit, shown_instant, zone
 from gam_db.engines.connecting import borrowed
@@ -79,7 +80,7 @@ class Summary:
         """Return what ``gam run --json`` prints of the channels."""
         found = self.channels
         return {
-            "channels": [{**row, "course": page.thinned(row["course"])} for row in found],
+            "channels": [{**row, "course": thinned(row["course"])} for row in found],
             "machines": self.machines,
             "ended_episodes": self.ended,
             "verdicts": Counter(row["verdict"] for row in found),

@@ -21,7 +21,7 @@ from gam_db.export import grafana as dashboards
 from gam_db.export.models import ADAPTERS
 from gam_db.export.monitor import rendered
 from gam_db.export.script import render
-from gam_db.method.printed import parts_of
+from gam_db.method.parts import parts_of
 from gam_db.reading import look
 from gam_db.reading.guess import SourceSettings, guess
 from gam_db.settings.source import AnySource, Source, WideSource, as_folder, is_file

@@ -22,7 +22,7 @@ from gam_db.export import yaml_text
 from gam_db.export.modelling import Model, models
 from gam_db.export.models import ADAPTERS, SOURCE, TABLE, Modelled
 from gam_db.method import Method
-from gam_db.method.printed import parts_of
+from gam_db.method.parts import parts_of
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters
 from gam_db.settings.source import (

@@ -26,7 +26,7 @@ from gam_db.method.adding import OfSet, add
 from gam_db.method.calibration import add_calibration
 from gam_db.method.certificate import add_judgement
 from gam_db.method.judgement import add_judged, limit_slots
-from gam_db.method.printed import LEFT_OUT, PARTS
+from gam_db.method.parts import LEFT_OUT, PARTS
 from gam_db.method.probe import add_certified, add_probe
 from gam_db.method.programs import (
     JUDGED,

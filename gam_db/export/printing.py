@@ -14,7 +14,7 @@ from gam_db.composing.pipeline import Pipeline, selected_from
 from gam_db.composing.selects import own_columns, sources_of, step_of
 from gam_db.composing.tidy import inlined, tidied
 from gam_db.engines.base import Engine
-from gam_db.method.printed import RESULTS
+from gam_db.method.parts import RESULTS
 
 #: Steps that are views over the live source. All others that two steps read are tables.
 VIEWS = (

@@ -23,7 +23,8 @@ from gam_db.engines.base import Engine
 from gam_db.errors import EngineError, ParameterError, SourceError, nearest, wrong
 from gam_db.export.printing import OF_SIGNAL, Script, composed, in_order
 from gam_db.method import Method, pipeline
-from gam_db.method.printed import LEFT_OUT, PARTS, RESULTS, parts_of, printed_pipeline, rename
+from gam_db.method.parts import LEFT_OUT, PARTS, RESULTS, parts_of
+from gam_db.method.printed import printed_pipeline, rename
 from gam_db.reading.ahead import latest_live
 from gam_db.reading.preparing import prepared
 from gam_db.settings.calibration import Calibration

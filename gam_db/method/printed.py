@@ -15,6 +15,7 @@ from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method.adding import OfSet, add, add_stacked
 from gam_db.method.certificate import coarse_key
 from gam_db.method.judgement import limit_of, limit_slots
+from gam_db.method.parts import LEFT_OUT, PARTS, RESULTS
 from gam_db.method.probe import CHANGES, changed_slots, paces, probed_delays, slots_of
 from gam_db.method.ranges import _ROUND, DROPPED, ROUNDS, counts_of, is_robust, piece, taught
 from gam_db.method.resolved import Method
@@ -32,36 +33,7 @@ from gam_db.method.vectors import (
     delays_of,
 )
 from gam_db.settings.calibration import Rule
-from gam_db.settings.parameters import ROBUST, Parameters
 from gam_db.settings.source import TimeNode
-
-#: What may be left out of a script.
-PARTS = ("certificate", "curve", "probe")
-
-#: The columns of a certificate that only one part fills.
-LEFT_OUT: Mapping[str, tuple[str, ...]] = {
-    "curve": ("vectors_needed",),
-    "probe": (
-        *("usual_low", "usual_middle", "usual_high", "sees", "sees_half_stroke", "sees_frozen"),
-        *("sees_faster", "sees_slower", "would_not_see", "blind_reason"),
-    ),
-}
-
-#: The last steps, and of which part they are.
-RESULTS: Mapping[str, str] = {
-    "health": "certificate",
-    "support_summary": "certificate",
-    "certificate": "certificate",
-    "probes": "probe",
-}
-
-
-def parts_of(parameters: Parameters, without: Collection[str] | None = None) -> list[str]:
-    """Return the parts of a script or a package; see :func:`gam_db.export.script.render`."""
-    if without is None:
-        is_paper = all(variant.range != ROBUST for variant in parameters.variants())
-        without = ("curve", "probe") if is_paper else ()
-    return [part for part in PARTS if part not in without and "certificate" not in without]
 
 
 def printed_pipeline(
@@ -71,13 +43,15 @@ def printed_pipeline(
     parts: Collection[str] = PARTS,
     framed: bool = False,
 ) -> Pipeline:
-    """Return the steps of a script; the last ones are those of :data:`RESULTS`, and *health_indicator*.
+    """Return the steps of a script.
+
+    The last ones are *health_indicator* and those of :data:`gam_db.method.parts.RESULTS`.
 
     Args:
         method: without pools and programs.
         readings: the step *readings*.
         instant_of: turns integer time into what the source has.
-        parts: of :data:`PARTS`; the others need the first.
+        parts: of :data:`gam_db.method.parts.PARTS`; the others need the first.
         framed: whether the engine takes frames lightly that begin so many rows before.
     """
     steps = Pipeline()

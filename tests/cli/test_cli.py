@@ -20,7 +20,8 @@ from rich.cells import cell_len
 from typer.testing import CliRunner, Result
 
 import gam_db
-from gam_db.cli import app, installed, options, page
+from gam_db.cli import app, installed, options
+from gam_db.cli.course import PLAIN_BLOCKS, sparkline
 from gam_db.cli.progress import Progress, interruptible
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import StatementError
@@ -363,8 +364,8 @@ def test_names_cannot_talk_to_the_terminal() -> None:
 )
 def test_the_course_has_a_fixed_scale(course: list[float], width: int, expected: str) -> None:
     """The highest of each stretch is shown; what is not there yet is a gap."""
-    assert page.sparkline(np.array(course), width) == expected
-    plain = page.sparkline(np.array(course), width, page.PLAIN_BLOCKS)
+    assert sparkline(np.array(course), width) == expected
+    plain = sparkline(np.array(course), width, PLAIN_BLOCKS)
     assert plain.isascii()
     assert len(plain) == len(expected)
 

@@ -15,6 +15,7 @@ from rich.console import Console
 
 import gam_db
 from gam_db.cli import app, exits, options, page
+from gam_db.cli.course import Course
 from gam_db.cli.exits import MEANINGS, Exit
 
 FOLDER = Path(exits.__file__).parent
@@ -40,7 +41,7 @@ def test_a_table_fits_and_cuts_no_name(width: int) -> None:
     columns: dict[str, page.Cell] = {
         "channel": "channel",
         "HI": "HI",
-        "course": lambda _: page.Course([0.5, math.nan, 1.0]),
+        "course": lambda _: Course([0.5, math.nan, 1.0]),
     }
     page.table(out, rows, columns, lambda row: "!" if row["HI"] == "0.10" else " ")
     found = lines(out)
@@ -67,11 +68,11 @@ def test_a_course_takes_the_room_that_is_left() -> None:
         out = console(width)
         columns: dict[str, page.Cell] = {
             "channel": "channel",
-            "course": lambda _: page.Course(np.ones(500)),
+            "course": lambda _: Course(np.ones(500)),
         }
         page.table(out, [{"channel": "j1"}], columns)
         longest.append(lines(out)[1].count("█"))
-    assert longest[0] < longest[1] <= longest[2] == longest[3] == page.Course.most
+    assert longest[0] < longest[1] <= longest[2] == longest[3] == Course.most
 
 
 def test_a_remark_is_said_once_with_its_channels() -> None:
