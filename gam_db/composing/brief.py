@@ -369,7 +369,10 @@ def _listed(query: exp.Union) -> exp.Query:
     if any(row.args.get("from_") or not isinstance(row, exp.Select) for row in rows):
         return query
     names = query.named_selects
-    tuples = [exp.Tuple(expressions=[_value(of.unalias()) for of in row.expressions]) for row in rows]
+    columns = zip(*([part.unalias() for part in row.expressions] for row in rows), strict=True)
+    # A column of nothing but NULL has no other type than the one it is cast to.
+    shown = [of if all(part.find(exp.Null) for part in of) else map(_value, of) for of in columns]
+    tuples = [exp.Tuple(expressions=list(row)) for row in zip(*shown, strict=True)]
     alias = exp.TableAlias(
         this=exp.to_identifier("listed"), columns=[exp.to_identifier(name) for name in names]
     )

@@ -173,12 +173,8 @@ def _merge(select: exp.Select) -> None:
         column_read = parts[column.name].copy()
         if single and isinstance(column_read, exp.Column) and not column_read.table:
             column_read.set("table", exp.to_identifier(first.this.alias_or_name))
-        if (
-            column.parent is select
-            and column.arg_key == "expressions"
-            and column_read.alias_or_name != column.name
-        ):
-            column_read = exp.alias_(column_read, column.name)
+        if column.parent is select and column.arg_key == "expressions":
+            column_read = exp.alias_(column_read, column.name)  # some engines keep its table in its name
         column.replace(column_read)
     if single:
         for column in own_columns(inner):

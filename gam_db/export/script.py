@@ -218,7 +218,10 @@ class _Statements:
         self, name: str, queries: Mapping[str, exp.Query], tables: Mapping[str, exp.Table]
     ) -> exp.Query:
         comments = {step: made.made.comment for step, made in self.steps.steps.items()}
-        taken = {table.name.lower() for table in self.steps.steps["readings"].query.find_all(exp.Table)}
+        read = self.steps.steps["readings"].query.find_all(exp.Table)
+        # Where an alias goes before a column, a step must not be called as a column is.
+        is_apart = "names" in self.engine.brief
+        taken = {table.name.lower() for table in read} if is_apart else set(self.steps.steps)
         return composed(name, queries, tables, taken, comments)
 
 
