@@ -50,32 +50,36 @@ def public_methods(of: _Public) -> _Public:
     return of
 
 
-def check_names(call: str, given: Iterable[str], known: Iterable[str]) -> None:
+def check_names(call: str, arguments: Iterable[str], parameters: Iterable[str]) -> None:
     """Refuse an argument that a call does not have; the message says which it may be."""
-    for name in given:
-        if name not in (names := list(known)):
+    for name in arguments:
+        if name not in (names := list(parameters)):
             raise ArgumentError(f"{call} has no argument {name!r}{nearest(name, names, _NAMED)}")
 
 
 def _checked(call: Any, name: str, of_class: bool = False) -> Any:
     signature = inspect.signature(call)
-    known = [
-        one.name for one in signature.parameters.values() if one.kind not in _OPEN and one.name != "self"
+    parameters = [
+        parameter.name
+        for parameter in signature.parameters.values()
+        if parameter.kind not in _OPEN and parameter.name != "self"
     ]
-    is_open = any(one.kind is inspect.Parameter.VAR_KEYWORD for one in signature.parameters.values())
+    is_open = any(
+        parameter.kind is inspect.Parameter.VAR_KEYWORD for parameter in signature.parameters.values()
+    )
 
     @functools.wraps(call)
-    def called(*given: Any, **named: Any) -> Any:
+    def called(*positional: Any, **named: Any) -> Any:
         if not is_open:
-            check_names(name, named, known)
+            check_names(name, named, parameters)
         try:
-            bound = signature.bind(*given, **named)
+            bound = signature.bind(*positional, **named)
         except TypeError as error:
             raise ArgumentError(f"{name}: {error}.") from None
         if not of_class:  # settings say themselves what they take
             for argument, value in bound.arguments.items():
                 _check_type(name, argument, value, signature.parameters[argument])
-        return call(*given, **named)
+        return call(*positional, **named)
 
     return called
 

@@ -117,7 +117,7 @@ def shown_instant(tick: int, kind: TimeKind) -> str:
         return f"{tick:,} us since 1970"
 
 
-def told_time(tick: int, kind: TimeKind) -> int | dt.datetime:
+def time_of(tick: int, kind: TimeKind) -> int | dt.datetime:
     """Return integer time as a counter value, or as a time (UTC)."""
     return tick if kind.is_counter else _EPOCH + tick * _MICROSECOND
 
@@ -147,8 +147,8 @@ def length(value: object, kind: TimeKind, what: str) -> int:
         # A float counts as it is written: in doubles 2.094 s would be 2093999.9999999998 microseconds.
         exact = Fraction(repr(value)) if isinstance(value, float) else value
         steps = math.floor(exact * SECOND)
-    elif isinstance(value, str) and (found := _LENGTH.fullmatch(value.strip())):
-        steps = math.floor(Fraction(found[1]) * UNITS[found[2]])
+    elif isinstance(value, str) and (match := _LENGTH.fullmatch(value.strip())):
+        steps = math.floor(Fraction(match[1]) * UNITS[match[2]])
     if steps is None:
         raise wrong("no_length", what=what, value=value)
     if steps < 0:

@@ -15,9 +15,9 @@ COUNT, SHARE, WORD, TRUTH = pa.int64(), pa.float64(), pa.string(), pa.bool_()
 name_of = itemgetter("asset", "channel")
 
 
-def columns(*said: tuple[pa.DataType, str]) -> pa.Schema:
+def columns(*typed_names: tuple[pa.DataType, str]) -> pa.Schema:
     """Return a schema: types, each with the names of columns that have it, in order."""
-    return pa.schema([(name, of) for of, names in said for name in names.split()])
+    return pa.schema([(name, of) for of, names in typed_names for name in names.split()])
 
 
 def counts(names: str) -> pa.Schema:
@@ -34,7 +34,7 @@ def table_of(rows: Sequence[Mapping[str, Any]], schema: pa.Schema) -> pa.Table:
         rows: values by the names of their columns.
         schema: integers, doubles, texts and truths.
     """
-    arrays = [_array([row.get(one.name) for row in rows], one.type) for one in schema]
+    arrays = [_array([row.get(field.name) for row in rows], field.type) for field in schema]
     return pa.Table.from_arrays(arrays, schema=schema)
 
 

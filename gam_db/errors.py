@@ -113,9 +113,9 @@ class StatementError(InternalError):
 
 def wrong(key: str, /, **words: object) -> UserError:
     """Return the error of a key of ``errors.toml``, with words filled in."""
-    for name, said in data.table("gam_db", "errors.toml").items():
-        if key in said:
-            error: UserError = globals()[name](said[key].format(**words))
+    for name, sentences in data.table("gam_db", "errors.toml").items():
+        if key in sentences:
+            error: UserError = globals()[name](sentences[key].format(**words))
             return error
     raise InternalError(f"There is no error {key!r} in errors.toml.")
 
@@ -169,8 +169,8 @@ def _argument(option: re.Match[str]) -> str:
         return name
     if value == "none":
         return f"{name}={'False' if name == 'clock_tolerance' else 'None'}"
-    is_said = value.startswith("'") or _PLACEHOLDER.fullmatch(value)
-    return f"{name}={value if is_said else repr(value)}"
+    is_literal = value.startswith("'") or _PLACEHOLDER.fullmatch(value)
+    return f"{name}={value if is_literal else repr(value)}"
 
 
 def printable(text: str) -> str:
@@ -180,12 +180,12 @@ def printable(text: str) -> str:
     )
 
 
-def nearest(word: str, known: Iterable[str], most: int = 12) -> str:
+def nearest(word: str, names: Iterable[str], most: int = 12) -> str:
     """Return the end of a sentence, its stop included, that says what ``word`` was meant to be.
 
     Where no known word is near, the first ``most`` of them are named.
     """
-    choices = list(known)
+    choices = list(names)
     folded = {choice.casefold(): choice for choice in reversed(choices)}
     if close := difflib.get_close_matches(word.casefold(), folded, n=1, cutoff=0.5):
         return f"; did you mean {folded[close[0]]!r}?"

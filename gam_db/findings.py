@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from gam_db import data
 from gam_db.alarms import Alarms, add_status
-from gam_db.clock import TimeKind, shown_instant, shown_length, told_time
+from gam_db.clock import TimeKind, shown_instant, shown_length, time_of
 from gam_db.errors import printable
 from gam_db.settings.parameters import Parameters
 from gam_db.study import Study
@@ -78,7 +78,7 @@ def findings(study: Study, alarms: Alarms | None = None, longest: int | None = N
     """
     alarms = alarms or Alarms()
     kind = study.method.kind
-    alarms.asked(kind)  # a rate that does not fit is refused before all is read
+    alarms.rate_for(kind)  # a rate that does not fit is refused before all is read
     buckets = study.table("bucket_health")  # first: what it proves of the samples serves the rest
     supports = {(row["asset"], row["channel"]): row for row in study.rows("support_summary")}
     settings = {
@@ -89,19 +89,19 @@ def findings(study: Study, alarms: Alarms | None = None, longest: int | None = N
     ends = {(row["asset"], row["channel"]): row["latest"] for row in study.rows("names")}
     newest = max((end for end in ends.values() if end is not None), default=None)
     add_status(study, alarms)
-    found = []
+    finding_rows = []
     for row in study.table("standing").sort_by(list(ORDER)).to_pylist():
         name = (row["asset"], row["channel"])
         setting, course, since = settings[name], courses.get(name), row["still_tick"]
         row = {"bins": setting.grid, **supports[name], **row, **ended(ends[name], newest, longest)}
-        said = finding(row, setting.span, setting.window, course)
-        said["remarks"] += [*at_end(row, since, kind), *_of_episode(row)]
-        still = None if since is None else told_time(since, kind)
+        finding_row = finding(row, setting.span, setting.window, course)
+        finding_row["remarks"] += [*at_end(row, since, kind), *_of_episode(row)]
+        still = None if since is None else time_of(since, kind)
         if isinstance(still, dt.datetime) and not kind.has_zone:
             still = still.replace(tzinfo=None)  # as the source tells time
-        said |= {"still_since": still, "last_time": None if course is None else course.time}
-        found.append({key: value for key, value in said.items() if key not in _INNER})
-    return found
+        finding_row |= {"still_since": still, "last_time": None if course is None else course.time}
+        finding_rows.append({key: value for key, value in finding_row.items() if key not in _INNER})
+    return finding_rows
 
 
 def ended(end: int | None, newest: int | None, longest: int | None) -> Row:
@@ -254,25 +254,27 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
     *row* has verdict, calibrated_lo, finest_bins and vectors_needed; *span* counts the samples between
     the oldest and the newest of a vector; it has moved if a vector was novel since.
     """
-    told = row["verdict"]
+    shortcoming = row["verdict"]
     if row.get("limit_reason") == "unrepresentative":
-        told = "unrepresentative"
-    elif told == "no_data" and row["calibrated_lo"] is None:
-        told = "no_sample"
+        shortcoming = "unrepresentative"
+    elif shortcoming == "no_data" and row["calibrated_lo"] is None:
+        shortcoming = "no_sample"
     elif is_short(row):
-        told = "short"
-    elif told == "blind":
-        told = f"blind_{row['blind_reason']}"
+        shortcoming = "short"
+    elif shortcoming == "blind":
+        shortcoming = f"blind_{row['blind_reason']}"
     more, needed = "how much more it takes cannot be told yet", row["vectors_needed"]
     if needed is not None:
         more = f"it takes about {needed:,} more vectors"
     words = {"run": span + 1, "bins": row["finest_bins"], "more": more}
-    if told == "blind_range":
+    if shortcoming == "blind_range":
         lo, hi = row["calibrated_lo"], row["calibrated_hi"]
         part = 100 * (row["usual_high"] - row["usual_low"]) / (hi - lo)
         words |= {"lo": lo, "hi": hi, "part": f"{part:.2g}"}
     moved = " and has moved since" * has_moved
-    return [_SHORTCOMINGS[told].format(moved=moved, **words)] if told in _SHORTCOMINGS else []
+    return (
+        [_SHORTCOMINGS[shortcoming].format(moved=moved, **words)] if shortcoming in _SHORTCOMINGS else []
+    )
 
 
 def vouching(row: Row) -> list[str]:
@@ -311,18 +313,18 @@ def dropped(row: Row) -> list[str]:
 
     *row* has what :func:`gam_db.support` says of its range.
     """
-    said = []
+    parts = []
     for side, value, words in (
         ("dropped_below", "lowest_dropped", "down to"),
         ("dropped_above", "highest_dropped", "up to"),
     ):
         if count := row[side]:
             of = "reading of" if count == 1 else f"readings {words}"
-            said.append(f"{count:,} {of} {row[value]:g}")
-    if not said:
+            parts.append(f"{count:,} {of} {row[value]:g}")
+    if not parts:
         return []
     lo, hi = row["calibrated_lo"], row["calibrated_hi"]
-    return [f"{' and '.join(said)} left out of the range {lo:g} to {hi:g}"]
+    return [f"{' and '.join(parts)} left out of the range {lo:g} to {hi:g}"]
 
 
 def is_short(row: Row) -> bool:

@@ -171,5 +171,5 @@ def certificate(
 def _table(
     step: str, source: Any, parameters: Parameters | None, calibration: Calibration | None, engine: Any
 ) -> pa.Table:
-    with studied(source, parameters, calibration, engine, short_cuts=True, asked=[step]) as study:
+    with studied(source, parameters, calibration, engine, short_cuts=True, targets=[step]) as study:
         return with_units(study.table(step), study.method.kind)

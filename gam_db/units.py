@@ -15,7 +15,7 @@ _UNIT_OF = {
 }
 
 
-def told_by(kind: TimeKind) -> pa.DataType:
+def time_type(kind: TimeKind) -> pa.DataType:
     """Return the type of instants as the source tells them."""
     return pa.int64() if kind.is_counter else pa.timestamp("us", "UTC" if kind.has_zone else None)
 
@@ -27,10 +27,12 @@ def with_units(table: pa.Table, kind: TimeKind) -> pa.Table:
     column its ``unit``.
     """
     ticks = "steps of the source's counter" if kind.is_counter else "microseconds since 1970 (UTC)"
-    said = {_TICKS: ticks, _TIME: ticks if kind.is_counter else "UTC"}
+    unit_names = {_TICKS: ticks, _TIME: ticks if kind.is_counter else "UTC"}
     fields = []
     for field in table.schema:
         unit = _UNIT_OF.get(field.name)
-        fields.append(field if unit is None else field.with_metadata({"unit": said.get(unit, unit)}))
+        fields.append(
+            field if unit is None else field.with_metadata({"unit": unit_names.get(unit, unit)})
+        )
     of_all = {"gam_db": __version__, "time": "counter" if kind.is_counter else "UTC"}
     return pa.Table.from_arrays(table.columns, schema=pa.schema(fields, of_all))

@@ -63,7 +63,7 @@ class Alarms:
         if self.rate is not None:
             Rate.of(self.rate)
 
-    def asked(self, kind: TimeKind) -> str:
+    def rate_for(self, kind: TimeKind) -> str:
         """Return the rate that is asked for, in words.
 
         Raises:
@@ -195,7 +195,7 @@ def limits_of(study: Study, alarms: Alarms) -> list[Row]:
     Raises:
         ParameterError: a rate in days is asked for, and the source counts time in integers.
     """
-    alarms.asked(study.method.kind)
+    alarms.rate_for(study.method.kind)
     add_learnt_limits(study.steps, study.method, alarms.family)
     return chosen_limits(study, alarms, study.method.kind)
 
@@ -204,11 +204,11 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
     """Return the limits of all channels of the step *learnt_limits*: its columns, and those chosen.
 
     Raises:
-        ParameterError: as :meth:`Alarms.asked`.
+        ParameterError: as :meth:`Alarms.rate_for`.
     """
-    rate = Rate.of(alarms.asked(kind))
-    found = {(row["channel_id"], row["g"]): row for row in work.rows("learnt_limits")}
-    near = [row for (_, g), row in sorted(found.items()) if g == NEAR]
+    rate = Rate.of(alarms.rate_for(kind))
+    learnt = {(row["channel_id"], row["g"]): row for row in work.rows("learnt_limits")}
+    near = [row for (_, g), row in sorted(learnt.items()) if g == NEAR]
     for row in near:
         assess(row, day_of(kind))
     members = [row for row in near if row["reason"] is None]
@@ -216,10 +216,14 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
     for row in members:
         if row["order_ratio"] is not None:
             ratios[row["family_no"]].append(row["order_ratio"])
-    drifting = {family for family, known in ratios.items() if sum(known) > _DRIFTING * len(known)}
+    drifting = {
+        family
+        for family, order_ratios in ratios.items()
+        if sum(order_ratios) > _DRIFTING * len(order_ratios)
+    }
     for row in members:
         row |= _based(row, row["family_no"] in drifting)
-        row |= {name: found[row["channel_id"], row["g"]][name] for name in ("centre", "spread")}
+        row |= {name: learnt[row["channel_id"], row["g"]][name] for name in ("centre", "spread")}
     total = math.fsum(row["judgements_per_day"] or 0.0 for row in members)
     for row in members:
         row["rate"] = rate.per_judgement(row["judgements_per_day"], total)
@@ -307,12 +311,12 @@ def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mappi
     }
     counted: dict[int, dict[int, int]] = defaultdict(dict)
     if enough:
-        asked = [
+        wanted = [
             {name: row[name] for name in ("channel_id", "family_no", "g")}
             for family in enough
             for row in families[family]
         ]
-        work.load("members", table_of(asked, _MEMBERS))
+        work.load("members", table_of(wanted, _MEMBERS))
         heights = [{"quarters": quarters} for quarters in range(LEAST, MOST + 1)]
         work.load("heights", table_of(heights, counts("quarters")))
         add_replay(work.steps)

@@ -67,12 +67,12 @@ def advise(rows: Sequence[Mapping[str, Any]]) -> Advice:
     strongest = max(rows, key=lambda row: row["sure"] or 0.0)  # an indicator has no evidence
     signs, signals = signs_of(strongest), len({row["channel_id"] for row in rows})
     finding = _WORDS["finding"]
-    said = _finding(strongest, signs)
+    sentence = _finding(strongest, signs)
     if signals > 1:
         how = "at_once" if len({row["opened"] for row in rows}) == 1 else "several"
-        said = finding[how].format(signals=signals, channel=strongest["channel"], alone=said)
+        sentence = finding[how].format(signals=signals, channel=strongest["channel"], alone=sentence)
     elif (signals := strongest["signals_together"]) > 1:
-        said = finding["of_several"].format(signals=signals, alone=said)
+        sentence = finding["of_several"].format(signals=signals, alone=sentence)
     if any(row["status"] == "proving" for row in rows):
         which = "proving"
     elif signals > 1 and not signs.is_moved:
@@ -80,7 +80,7 @@ def advise(rows: Sequence[Mapping[str, Any]]) -> Advice:
     else:
         which = _advice(signs)
     advice = _WORDS["advice"][which].format(channel=strongest["channel"])
-    return Advice(f"{said[0].upper()}{said[1:]}.", advice)
+    return Advice(f"{sentence[0].upper()}{sentence[1:]}.", advice)
 
 
 def _advice(signs: Signs) -> str:
@@ -136,16 +136,16 @@ def promise(rows: Sequence[Mapping[str, Any]], episodes: int) -> str | None:
         episodes: raised so far, neither merged nor withdrawn.
     """
     stated = [row for row in rows if row["stated_rate"] is not None]
-    words, asked = _WORDS["promise"], "; ".join(sorted({row["asked"] for row in rows}))
+    words, rates = _WORDS["promise"], "; ".join(sorted({row["asked"] for row in rows}))
     if not rows or not episodes:
         return None
     if not stated:
-        return str(words["unstated"].format(asked=asked))
+        return str(words["unstated"].format(asked=rates))
     judgements = sum(row["judgements"] for row in stated)
     expected = sum(row["stated_rate"] * row["judgements"] for row in stated)
-    told = {"expected": "one" if expected < 1.5 else f"{expected:,.0f}", "episodes": episodes}
-    means = words["many" if expected >= 0.5 else "none"].format(**told)
+    counts = {"expected": "one" if expected < 1.5 else f"{expected:,.0f}", "episodes": episodes}
+    means = words["many" if expected >= 0.5 else "none"].format(**counts)
     per_thousand = 1000 * expected / judgements
     return str(
-        words["stated"].format(asked=asked, stated=per_thousand, judgements=judgements, means=means)
+        words["stated"].format(asked=rates, stated=per_thousand, judgements=judgements, means=means)
     )

@@ -63,37 +63,39 @@ def backtest(
         rows = limits_of(study, alarms)
         frozen = judge(study, [row for row in rows if row["reason"] is None])
         add_backtested(study.steps, merge(closed("healthy", healthy or (), study.method.kind)))
-        found = study.rows("backtested")
+        backtested = study.rows("backtested")
     if not frozen:
         why = "; ".join(f"{count:,}: {reason}" for reason, count in sorted(_withheld(rows).items()))
         raise ParameterError(f"There is no judgement to count, since no channel has a limit ({why}).")
-    if not found:
+    if not backtested:
         raise wrong("healthy_holds_no_window")
-    return figures(alarms.asked(study.method.kind), rows, found)
+    return figures(alarms.rate_for(study.method.kind), rows, backtested)
 
 
-def figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:
+def figures(rate_text: str, rows: Sequence[Row], backtested: list[Row]) -> Row:
     """Return what :func:`backtest` does, of limits (``limits_of``) and the rows of *backtested*."""
     limit_of = {(row["asset"], row["channel"]): row for row in rows}
-    mine = [limit_of[row["asset"], row["channel"]] for row in found]
-    judged = np.array([row["judgements"] for row in found], np.float64)
-    raised = np.array([row["episodes"] for row in found], np.float64)
+    mine = [limit_of[row["asset"], row["channel"]] for row in backtested]
+    judged = np.array([row["judgements"] for row in backtested], np.float64)
+    raised = np.array([row["episodes"] for row in backtested], np.float64)
     episodes, judgements = int(raised.sum()), int(judged.sum())
     lower, upper = poisson_ends(episodes)
     drawn = _drawn(raised, judged)
-    pairs = [(limit["stated_rate"], row["judgements"]) for limit, row in zip(mine, found, strict=True)]
+    pairs = [
+        (limit["stated_rate"], row["judgements"]) for limit, row in zip(mine, backtested, strict=True)
+    ]
     stated = [(rate * count, count) for rate, count in pairs if rate is not None]
-    mean = sum(one for one, _ in stated) / sum(one for _, one in stated) if stated else None
+    mean = sum(number for number, _ in stated) / sum(number for _, number in stated) if stated else None
     days = [row["judgements_per_day"] for row in mine]
     a_day = None if None in days else float(sum(days))
     ratios = [row["order_ratio"] for row in mine if row["order_ratio"] is not None]
     bases: dict[str, Row] = {}
-    for limit, row in zip(mine, found, strict=True):
+    for limit, row in zip(mine, backtested, strict=True):
         counted = bases.setdefault(limit["basis"], {"channels": 0, "judgements": 0, "episodes": 0})
         for name in counted:
             counted[name] += row.get(name, 1)  # a row is a channel
     return {
-        "asked": asked,
+        "asked": rate_text,
         "stated": mean,
         "seen": episodes / judgements,
         "lower": lower / judgements,
@@ -103,13 +105,13 @@ def figures(asked: str, rows: Sequence[Row], found: list[Row]) -> Row:
         "judgements": judgements,
         "episodes": episodes,
         "channels": len(rows),
-        "judged": len(found),
+        "judged": len(backtested),
         "basis": bases,
         "order_ratio": sum(ratios) / len(ratios) if ratios else None,
         "per_day_stated": None if a_day is None or mean is None else mean * a_day,
         "per_day_seen": None if a_day is None else episodes / judgements * a_day,
         "withheld": _withheld(rows),
-        "by_channel": found,
+        "by_channel": backtested,
     }
 
 

@@ -50,9 +50,9 @@ def figures(reads: Reads, monitor: str) -> dict[int, Row]:
         What was pruned, or could not be computed, is None.
     """
     slots: dict[str, template.Slot] = {"monitor": template.text(monitor)}
-    found = {row["episode"]: row for row in reads("stored/alarms/alarm_figures", slots)}
+    by_episode = {row["episode"]: row for row in reads("stored/alarms/alarm_figures", slots)}
     moves = {row["episode"]: row for row in reads("stored/alarms/alarm_moves", slots)}
-    return {number: {**_counted(row), **_moved(moves.get(number))} for number, row in found.items()}
+    return {number: {**_counted(row), **_moved(moves.get(number))} for number, row in by_episode.items()}
 
 
 def with_figures(rows: Sequence[Row], counted: Mapping[int, Row]) -> list[Row]:

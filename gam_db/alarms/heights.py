@@ -22,7 +22,7 @@ STATED_FROM = 0.0005
 """The lowest rate that simulated fleets kept, per judgement; heights for less are estimates."""
 
 _DAYS = {"day": 1, "week": 7, "month": 30, "year": 365}
-_ASKED = re.compile(
+_RATE = re.compile(
     r"((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?) per (day|week|month|year|1000 judgements)"
     r"( per channel)?"
 )
@@ -40,24 +40,24 @@ class Rate:
     per_channel: bool  # of each channel, not of all
 
     @classmethod
-    def of(cls, said: object) -> "Rate":
+    def of(cls, text: object) -> "Rate":
         """Return the rate that a text says.
 
         Raises:
             ParameterError: it says none.
         """
-        match = _ASKED.fullmatch(" ".join(said.split())) if isinstance(said, str) else None
+        match = _RATE.fullmatch(" ".join(text.split())) if isinstance(text, str) else None
         number = float(match[1]) if match else 0.0
         days = None if match is None else _DAYS.get(match[2])
         if match is None or not 0 < number < math.inf or (days is None and match[3]):
-            raise wrong("no_rate", said=said)
+            raise wrong("no_rate", said=text)
         return cls(number, days, match[3] is not None)
 
-    def per_judgement(self, own: float | None, total: float) -> float:
+    def per_judgement(self, of_channel: float | None, total: float) -> float:
         """Return the rate of a channel by its judgements a day, and those of all with a limit."""
         if self.days is None:
             return self.number / 1000
-        days = own if self.per_channel else total
+        days = of_channel if self.per_channel else total
         assert days
         return self.number / self.days / days
 

@@ -64,14 +64,14 @@ def check(
     with borrowed(engine) as session:
         method = parameters or Parameters(), calibration or Calibration()
         look = look_at(session, sourced(source, session), *method)
-    said = notes(look, propose(look))
-    told = [
+    source_notes = notes(look, propose(look))
+    texts = [
         [
             note.text
-            for note in said
+            for note in source_notes
             if not note.channels or (row["asset"], row["channel"]) in note.channels
         ]
         for row in look.table.select(["asset", "channel"]).to_pylist()
     ]
-    table = look.table.append_column("notes", pa.array(told, pa.list_(pa.string())))
+    table = look.table.append_column("notes", pa.array(texts, pa.list_(pa.string())))
     return with_units(table, look.kind)

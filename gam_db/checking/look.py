@@ -156,8 +156,8 @@ def look_at(
     on_step: Listener = lambda _: None,
 ) -> Look:
     """Look at a source; arguments and errors as in :class:`~gam_db.study.Study`."""
-    asked = session, source, parameters.finest(), calibration
-    study = Study(*asked, on_step, strict=False)
+    arguments = session, source, parameters.finest(), calibration
+    study = Study(*arguments, on_step, strict=False)
     add_look(study.steps, study.method, study.instant_of)
     summary = study.table(SUMMARY)
     table = summary.drop_columns(["settings_no"])
@@ -177,7 +177,7 @@ def look_at(
     if parameters.is_open:
         moving = [row["calibration_samples"] for row in channels if row["rises"] or row["falls"]]
         closed = parameters.finest(window_of(moving))
-        method = dataclasses.replace(method, parameters=closed, asked=parameters)
+        method = dataclasses.replace(method, parameters=closed, requested=parameters)
     columns = candidates(study, min(setting.window for setting in method.settings))
     return Look(study.source, method, table, channels, nameless, exact, *others, programs, columns)
 
@@ -210,7 +210,7 @@ def _number_texts(study: Study) -> tuple[str, ...]:
     """Return the text columns that nothing reads, although all their texts are numbers."""
     source, session = study.source, study.session
     read = set(source.columns.values())
-    found = []
+    numeric = []
     for column, type_name in study.columns.items():
         if column in read or not session.engine.types.is_text(type_name):
             continue
@@ -221,5 +221,5 @@ def _number_texts(study: Study) -> tuple[str, ...]:
         read_from(study.relation, query)
         words = [row["word"] for row in session.rows(query)]
         if words and all(map(_NUMBER.fullmatch, words)):
-            found.append(column)
-    return tuple(found)
+            numeric.append(column)
+    return tuple(numeric)

@@ -55,15 +55,15 @@ Worded = Callable[[Sequence[Row]], str | int]
 
 def notes(look: Look, proposal: Proposal) -> list[Note]:
     """Return what is to be known of a source, what must be fixed first, and else in a fixed order."""
-    found = [*_on_times(look, proposal), *_on_amounts(look, proposal), *_on_values(look)]
+    source_notes = [*_on_times(look, proposal), *_on_amounts(look, proposal), *_on_values(look)]
     for subject, words, names in remarks(look):
-        found.append(Note(subject, False, SENTENCES[subject].format(**words), names))
-    return sorted(found, key=lambda note: not note.must)
+        source_notes.append(Note(subject, False, SENTENCES[subject].format(**words), names))
+    return sorted(source_notes, key=lambda note: not note.must)
 
 
-def must_be_fixed(found: Sequence[Note]) -> bool:
+def must_be_fixed(source_notes: Sequence[Note]) -> bool:
     """Tell whether a source cannot be used as it is."""
-    return any(note.must for note in found)
+    return any(note.must for note in source_notes)
 
 
 def _noted(
@@ -73,10 +73,10 @@ def _noted(
     if not rows:
         return []
     columns = {column for _, column, *_ in Formatter().parse(SENTENCES[subject]) if column}
-    said = {name: word(rows) if callable(word) else word for name, word in words.items()}
-    said |= {column: extent([row[column] for row in rows]) for column in columns - words.keys()}
+    texts = {name: word(rows) if callable(word) else word for name, word in words.items()}
+    texts |= {column: extent([row[column] for row in rows]) for column in columns - words.keys()}
     names = tuple((row["asset"], row["channel"]) for row in rows)
-    return [Note(subject, must, SENTENCES[subject].format(**said), names)]
+    return [Note(subject, must, SENTENCES[subject].format(**texts), names)]
 
 
 def _whole(subject: str, must: bool = False, **words: str) -> list[Note]:
@@ -98,10 +98,10 @@ def _on_times(look: Look, proposal: Proposal) -> list[Note]:
     irregular = [row for row in spaced if is_irregular(row) and not is_on_change(row)]
 
     def step(edge: Callable[[Iterable[int]], int], of: str) -> Worded:
-        return lambda found: spoken(edge(row[of] for row in found), look.kind)
+        return lambda concerned: spoken(edge(row[of] for row in concerned), look.kind)
 
-    def usual(found: Sequence[Row]) -> str:
-        return reaching(*(str(step(edge, "typical_step")(found)) for edge in (min, max)))
+    def usual(concerned: Sequence[Row]) -> str:
+        return reaching(*(str(step(edge, "typical_step")(concerned)) for edge in (min, max)))
 
     short, long = step(min, "short_step"), step(max, "long_step")
     return [
@@ -161,19 +161,23 @@ def _repeated(look: Look) -> list[Note]:
         few += [row] * bool(row["conflicts"])
         repeating += [row] * (row["repeated"] > row["conflicts"] and row["samples"] > 1)
 
-    def share(found: Sequence[Row]) -> str:
-        return percent(sum(row["conflicts"] for row in found) / sum(row["samples"] for row in found))
+    def share(concerned: Sequence[Row]) -> str:
+        return percent(
+            sum(row["conflicts"] for row in concerned) / sum(row["samples"] for row in concerned)
+        )
 
     def count(column: str) -> Worded:
-        return lambda found: f"{sum(row[column] for row in found):,}"
+        return lambda concerned: f"{sum(row[column] for row in concerned):,}"
 
-    def autumn(found: Sequence[Row]) -> str:
+    def autumn(concerned: Sequence[Row]) -> str:
         """An hour of repeated instants is what local time has when the clocks go back."""
-        hours = [row["repeated"] * (row["typical_step"] or 0) / _HOUR for row in found]
+        hours = [row["repeated"] * (row["typical_step"] or 0) / _HOUR for row in concerned]
         is_calendar = look.kind in (TimeKind.TIMESTAMP, TimeKind.NANOSECONDS)
-        if is_calendar and all(1 <= round(one) <= 12 and abs(one - round(one)) <= 0.02 for one in hours):
-            said = "; about an hour of them, as local time has when clocks go back"
-            return f"{said}: say --source-time-zone, or store UTC"
+        if is_calendar and all(
+            1 <= round(hour) <= 12 and abs(hour - round(hour)) <= 0.02 for hour in hours
+        ):
+            sentence = "; about an hour of them, as local time has when clocks go back"
+            return f"{sentence}: say --source-time-zone, or store UTC"
         return ""
 
     return [
@@ -184,11 +188,11 @@ def _repeated(look: Look) -> list[Note]:
 
 
 def _pauses(look: Look, rows: Sequence[Row], proposal: Proposal, usual: Worded) -> list[Note]:
-    found = [row for row in rows if row["pauses"] and not is_irregular(row)]
+    paused = [row for row in rows if row["pauses"] and not is_irregular(row)]
 
     def count(pausing: Sequence[Row]) -> str:
-        said = extent([row["pauses"] for row in pausing])
-        return f"{said} pause{'s' * (said != '1')}{' each' * (len(pausing) > 1)}"
+        number = extent([row["pauses"] for row in pausing])
+        return f"{number} pause{'s' * (number != '1')}{' each' * (len(pausing) > 1)}"
 
     def lengths(pausing: Sequence[Row]) -> str:
         shortest = min(row["shortest_pause"] for row in pausing)
@@ -196,13 +200,13 @@ def _pauses(look: Look, rows: Sequence[Row], proposal: Proposal, usual: Worded) 
         more = "" if shortest == longest else f" to {spoken(longest, look.kind)}"
         return f"{spoken(shortest, look.kind)}{more}"
 
-    if all(is_heeded(look, row) for row in found):
+    if all(is_heeded(look, row) for row in paused):
         advice = ", and max_gap sees to it"
     elif proposal.max_gap is not None:
         advice = f"; take --max-gap {json.dumps(proposal.max_gap.value)}"
     else:
         advice = "; no one max_gap suits all, gam init writes one for each channel"
-    return _noted("pauses", found, count=count, lengths=lengths, usual=usual, advice=advice)
+    return _noted("pauses", paused, count=count, lengths=lengths, usual=usual, advice=advice)
 
 
 def _rates(rows: Sequence[Row], kind: TimeKind) -> list[Note]:
@@ -212,8 +216,8 @@ def _rates(rows: Sequence[Row], kind: TimeKind) -> list[Note]:
         if not alike or step > REGULAR_WITHIN * alike[-1][0]:
             alike.append([])
         alike[-1].append(step)
-    said = [f"{spoken(steps[0], kind)} ({number_of(len(steps), 'channel')})" for steps in alike]
-    return _whole("rates", rates=", ".join(said)) if len(said) > 1 else []
+    rates = [f"{spoken(steps[0], kind)} ({number_of(len(steps), 'channel')})" for steps in alike]
+    return _whole("rates", rates=", ".join(rates)) if len(rates) > 1 else []
 
 
 def _invalid(look: Look) -> list[Note]:
@@ -228,17 +232,17 @@ def _invalid(look: Look) -> list[Note]:
 
 def _on_amounts(look: Look, proposal: Proposal) -> list[Note]:
     """Rows that belong nowhere, calibration, the window."""
-    found = []
+    source_notes = []
     if any(look.nameless.values()):
-        said, where, advice = nowhere(look.source, look.nameless, look.undated, look.engine)
-        found += _whole("nameless", True, found=said, where=shlex.quote(where), advice=advice)
+        what, where, advice = nowhere(look.source, look.nameless, look.undated, look.engine)
+        source_notes += _whole("nameless", True, found=what, where=shlex.quote(where), advice=advice)
     if look.undated is not None and look.undated.twice:
         zone, count = look.source.source_time_zone or "", f"{look.undated.twice:,}"
-        found += _whole("twice", zone=zone, count=count)
-    found += _invalid(look)
+        source_notes += _whole("twice", zone=zone, count=count)
+    source_notes += _invalid(look)
     if not look.channels:
         why = "; is the condition right?" * (look.source.where is not None)
-        found += _whole("nothing", True, why=why)
+        source_notes += _whole("nothing", True, why=why)
     held = [row for row in look.channels if row["lowest"] is not None]
     # What a channel lacks of calibration, its pool may have.
     alone = [] if look.method.calibration.pools else held
@@ -256,18 +260,18 @@ def _on_amounts(look: Look, proposal: Proposal) -> list[Note]:
         if row["samples"] - max(row["calibration_samples"], look.setting(row).span)
         < look.setting(row).window
     ]
-    asked = look.method.asked  # what is proposed of an open window heeds cycles
+    open_parameters = look.method.requested  # what is proposed of an open window heeds cycles
     cycling = [
         row
         for row in look.channels
         if CYCLES * (row["cycle_length"] or 0) > look.setting(row).window
-        and (asked is None or "window" not in asked.of(*name_of(row)).open_settings)
+        and (open_parameters is None or "window" not in open_parameters.of(*name_of(row)).open_settings)
     ]
     longest = max((row["cycle_length"] for row in cycling), default=0)
     enough = max(proposal.window or 0, CYCLES * longest)
     fits = all(room_of(look, row) >= enough for row in cycling)
     return [
-        *found,
+        *source_notes,
         *_partial(look),
         *_noted("no_calibration", without, must=len(without) == len(held)),
         *_noted("short_calibration", brief, blocks=BLOCKS),
@@ -287,7 +291,7 @@ def _partial(look: Look) -> list[Note]:
         early += (row for row in rows if end - row["last_tick"] > PART * (end - begin))
 
     def least(edge: str) -> Worded:
-        return lambda found: instant(min(row[edge] for row in found), look.kind)
+        return lambda concerned: instant(min(row[edge] for row in concerned), look.kind)
 
     return [
         *_noted("begins_late", late, first=least("first_tick")),
@@ -342,10 +346,10 @@ def _on_values(look: Look) -> list[Note]:
         *_noted("empty", empty, must=nowhere, meaning=meaning),
         *_noted(
             *("missing", [row for row in held if row["missing"]]),
-            each=lambda found: " each" * (len(found) > 1),
-            share=lambda found: (
-                "at most " * (len(found) > 1)
-                + percent(max(row["missing"] / row["samples"] for row in found))
+            each=lambda concerned: " each" * (len(concerned) > 1),
+            share=lambda concerned: (
+                "at most " * (len(concerned) > 1)
+                + percent(max(row["missing"] / row["samples"] for row in concerned))
             ),
         ),
         *_noted("constant", constant, must=not moving, all="" if moving else "; nothing to watch"),
@@ -354,14 +358,14 @@ def _on_values(look: Look) -> list[Note]:
         *_noted(
             *("still_after", left_out),
             share=_share_of("calibration_still", "calibration_samples"),
-            longest=lambda found: f"{max(row['longest_run'] for row in found):,}",
+            longest=lambda concerned: f"{max(row['longest_run'] for row in concerned):,}",
         ),
         *_noted("counter", counters, resets=_resets),
         *_noted("states", [row for row in moving if row["values_seen"] <= FEW_VALUES]),
         *_noted(
             *("coarse", coarse),
-            levels=lambda found: extent([_levels(row) or 0 for row in found]),
-            least=lambda found: min(_levels(row) or 0 for row in found),
+            levels=lambda concerned: extent([_levels(row) or 0 for row in concerned]),
+            least=lambda concerned: min(_levels(row) or 0 for row in concerned),
         ),
         *_noted("beyond", beyond),
         *(_whole("number_texts", names=names) if names else ()),
@@ -379,12 +383,12 @@ def _levels(row: Row) -> int | None:
 def _share_of(part: str, all_of_it: str) -> Worded:
     """Which share a column is of another one, from the least to the greatest."""
 
-    def said(rows: Sequence[Row]) -> str:
+    def worded(rows: Sequence[Row]) -> str:
         shares = [row[part] / row[all_of_it] for row in rows]
         least, most = percent(min(shares)), percent(max(shares))
         return least if least == most else f"{least.removesuffix(' %')} to {most}"
 
-    return said
+    return worded
 
 
 def _resets(rows: Sequence[Row]) -> str:

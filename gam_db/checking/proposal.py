@@ -56,11 +56,11 @@ def _for_all_or_each(
     rows: Sequence[Row], proposed: Callable[[Sequence[Row]], Proposed | None]
 ) -> tuple[Proposed | None, dict[str, Proposed]]:
     """Return what suits all channels; where there is no such, what suits each name of a channel."""
-    if (one := proposed(rows)) is not None:
-        return one, {}
+    if (for_all := proposed(rows)) is not None:
+        return for_all, {}
     names = dict.fromkeys(row["channel"] for row in rows)
-    own = {name: proposed([row for row in rows if row["channel"] == name]) for name in names}
-    return None, {name: one for name, one in own.items() if one is not None}
+    by_name = {name: proposed([row for row in rows if row["channel"] == name]) for name in names}
+    return None, {name: suggestion for name, suggestion in by_name.items() if suggestion is not None}
 
 
 def _still(rows: Sequence[Row]) -> Proposed | None:
@@ -128,13 +128,13 @@ def _eighth(room: int, healthy: int) -> tuple[int, str]:
 
 
 def _window(look: Look) -> tuple[int | None, str, dict[str, Proposed]]:
-    said = look.method.parameters.window
-    is_open = look.method.asked is not None and "window" in look.method.asked.open_settings
-    as_said = "the default" if is_open else "as it is set"
+    current = look.method.parameters.window
+    is_open = look.method.requested is not None and "window" in look.method.requested.open_settings
+    why = "the default" if is_open else "as it is set"
     moving = [row for row in look.channels if row["rises"] or row["falls"]]
     if not moving:
-        return said, as_said, {}
-    least = SHORTEST_WINDOW if is_open else min(SHORTEST_WINDOW, said)
+        return current, why, {}
+    least = SHORTEST_WINDOW if is_open else min(SHORTEST_WINDOW, current)
     fitting = [row for row in moving if room_of(look, row) >= least]
     if not fitting:
         most = max(row["calibration_samples"] for row in moving)
@@ -146,15 +146,15 @@ def _window(look: Look) -> tuple[int | None, str, dict[str, Proposed]]:
     cycles = [row["cycle_length"] for row in fitting if row["cycle_length"] is not None]
     cycle = statistics.median_high(cycles) if cycles else 0
     if is_open:
-        window, reason = _open_window(said, healthy, cycle, room)
+        window, reason = _open_window(current, healthy, cycle, room)
     else:
-        window, reason = _set_window(said, healthy, cycle, room, as_said)
+        window, reason = _set_window(current, healthy, cycle, room, why)
     return window, *_shorter(look, moving, window, reason)
 
 
-def _set_window(said: int, healthy: int, cycle: int, room: int, as_said: str) -> tuple[int, str]:
+def _set_window(current: int, healthy: int, cycle: int, room: int, why: str) -> tuple[int, str]:
     """Return the window where one was given: that, unless calibration or cycles want another."""
-    window, reason = (said, as_said) if said <= room else _eighth(room, healthy)
+    window, reason = (current, why) if current <= room else _eighth(room, healthy)
     wanted = 100 * math.ceil(cycle * CYCLES / 100)
     if cycle * CYCLES <= window:
         return window, reason
@@ -168,9 +168,9 @@ def _shorter(
     look: Look, moving: Sequence[Row], window: int, reason: str
 ) -> tuple[str, dict[str, Proposed]]:
     """Return why this window, and shorter ones for names of channels with a shorter calibration."""
-    own: dict[str, Proposed] = {}
+    by_name: dict[str, Proposed] = {}
     if look.method.calibration.pools:  # what a channel lacks its pool may have
-        return reason, own
+        return reason, by_name
     short = [row for row in moving if room_of(look, row) < window]
     none = [row for row in short if room_of(look, row) < SHORTEST_WINDOW]
     if none:
@@ -180,5 +180,5 @@ def _shorter(
             (row for row in short if row["channel"] == name and row not in none),
             key=lambda row: room_of(look, row),
         )
-        own[name] = Proposed(*_eighth(room_of(look, briefest), briefest["calibration_samples"]))
-    return reason, own
+        by_name[name] = Proposed(*_eighth(room_of(look, briefest), briefest["calibration_samples"]))
+    return reason, by_name

@@ -36,7 +36,7 @@ def setting(length: int, kind: TimeKind) -> int | str:
     """Return a length exactly, as a setting: a number of counter steps, or a text such as '5 s'."""
     if kind.is_counter:
         return length
-    unit = next(one for one in ("d", "h", "min", "s", "ms", "us") if length % UNITS[one] == 0)
+    unit = next(unit for unit in ("d", "h", "min", "s", "ms", "us") if length % UNITS[unit] == 0)
     return f"{length // UNITS[unit]} {unit}"
 
 

@@ -105,13 +105,13 @@ class Commands(TyperGroup):
         for stream in (sys.stdout, sys.stderr):
             if hasattr(stream, "reconfigure"):  # names of machines may not fit the terminal's alphabet
                 stream.reconfigure(errors="backslashreplace")
-        said = list(sys.argv[1:] if args is None else args)
-        debug, as_json = "--debug" in said, "--json" in said
+        arguments = list(sys.argv[1:] if args is None else args)
+        debug, as_json = "--debug" in arguments, "--json" in arguments
         try:
-            words, retry = _taken([word for word in said if word != "--debug"], "--retry", int)
+            words, retry = _taken([word for word in arguments if word != "--debug"], "--retry", int)
             words, seconds = _taken(words, "--timeout", float)
         except ConfigurationError as error:
-            sys.exit(_told(error, debug, as_json))
+            sys.exit(_print_error(error, debug, as_json))
         for turn in range(int(retry or 0) + 1):
             try:
                 with limited(seconds):
@@ -121,9 +121,9 @@ class Commands(TyperGroup):
                     print(f"gam: {_legible(error.options)} Trying again.", file=sys.stderr)
                     time.sleep(min(_PAUSE * 2**turn, _LONGEST_PAUSE))
                     continue
-                code = _told(error, debug, as_json)
+                code = _print_error(error, debug, as_json)
             except Exception as error:
-                code = _told(_of_user(error), debug, as_json)
+                code = _print_error(_of_user(error), debug, as_json)
             except KeyboardInterrupt:
                 code = Exit.INTERRUPTED
             break
@@ -131,7 +131,7 @@ class Commands(TyperGroup):
             sys.stdout.flush()
         except OSError as error:
             if error.errno in NO_ROOM:
-                code = _told(_of_user(error), debug, False)
+                code = _print_error(_of_user(error), debug, False)
         if code == Exit.INTERRUPTED:
             print("gam: interrupted; no file was left half written.", file=sys.stderr)
         sys.exit(code if isinstance(code, int) else Exit.FINE)
@@ -149,11 +149,11 @@ def _taken(
     value: float | None = None
     rest = iter(words)
     for word in rest:
-        name, given, text = word.partition("=")
+        name, equals, text = word.partition("=")
         if name != option:
             left.append(word)
             continue
-        text = text if given else next(rest, "")
+        text = text if equals else next(rest, "")
         try:
             value = kind(text)
         except ValueError:
@@ -230,7 +230,7 @@ def _of_user(error: Exception) -> Exception:
     return unwritable(error.filename or "What this command prints", error)
 
 
-def _told(error: Exception, debug: bool, as_json: bool) -> int:
+def _print_error(error: Exception, debug: bool, as_json: bool) -> int:
     """Tell an error on stderr, for --json as an object on stdout, too; return the exit code it means."""
     if isinstance(error, typer.Abort):
         return Exit.INTERRUPTED
@@ -239,10 +239,10 @@ def _told(error: Exception, debug: bool, as_json: bool) -> int:
         if isinstance(error, StatementError) and error.statement:
             print(f"\nThe statement was:\n{error.statement}\n", file=sys.stderr)
     is_usage = isinstance(error, _UsageError)
-    said = error.options if isinstance(error, UserError) else str(error)
+    text = error.options if isinstance(error, UserError) else str(error)
     if is_usage:
-        said = error.message  # type: ignore[attr-defined]
-    message = _legible(said)
+        text = error.message  # type: ignore[attr-defined]
+    message = _legible(text)
     exit_code = Exit.OUR_FAULT
     if is_usage or isinstance(error, UserError):
         exit_code = Exit.RUN_AGAIN if isinstance(error, RunAgainError) else Exit.USER_ERROR
@@ -253,8 +253,8 @@ def _told(error: Exception, debug: bool, as_json: bool) -> int:
         )
     if as_json:
         code = "usage" if is_usage else getattr(error, "code", InternalError.code)
-        told = {"version": __version__, "error": {"code": code, "message": message}}
-        print(json.dumps({**told, "exit_code": int(exit_code)}, indent=1))
+        error_report = {"version": __version__, "error": {"code": code, "message": message}}
+        print(json.dumps({**error_report, "exit_code": int(exit_code)}, indent=1))
     if is_usage:
         error.message = message  # type: ignore[attr-defined]
         error.show()  # type: ignore[attr-defined]

@@ -12,12 +12,12 @@ from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place, reading, state_of
 from gam_db.cli.options import argument, option
-from gam_db.clock import TimeKind, told_time, zone
+from gam_db.clock import TimeKind, time_of, zone
 from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.setting import settings_of
-from gam_db.stored.alarms import limits as made
+from gam_db.stored.alarms import limits as stored_limits
 from gam_db.stored.alarms import told as stored
 from gam_db.stored.state import kind_of
 
@@ -52,16 +52,16 @@ def alarms(
             return
         rows, judged = stored.alarms(state, name).to_pylist(), stored.limits(state, name)
     urgent = any(row["needs_attention"] for row in rows)
-    told = {"episodes": rows, "limits": promised(judged), "needs_attention": urgent}
+    overview = {"episodes": rows, "limits": promised(judged), "needs_attention": urgent}
 
     def show(out: page.Out) -> None:
         count = number_of(len(rows), "episode") if rows else "nothing was ever raised"
         page.say(out, f"{heading(settings)}: {count}")
-        page.say(out, *said_of(judged))
+        page.say(out, *limit_lines(judged))
         _show_episodes(out, common.of(rows, _SHOWN), shown_in)
         page.cut(out, rows, common.everything, most=_SHOWN)
 
-    page.tell({**place(settings), **told}, show, common, urgent=urgent)
+    page.tell({**place(settings), **overview}, show, common, urgent=urgent)
 
 
 @options.of_state(*options.STATE, "time_zone", "as_json", "quiet")
@@ -72,25 +72,25 @@ def alarm(settings: Settings, common: options.Common, episode: int = argument("a
         kind = kind_of(state.monitor(name))
         rows = stored.alarms(state, name).to_pylist()
         counted = figures.with_figures(rows, figures.figures(state.rows, name))
-        if (found := next((row for row in counted if row["episode"] == episode), None)) is None:
+        if (episode_row := next((row for row in counted if row["episode"] == episode), None)) is None:
             raise wrong("no_episode", episode=episode)
-        said = figures.advice_of(counted)[episode]
-        told: Row = {
-            "finding": None if said is None else said.finding,
-            "advice": None if said is None else said.advice,
-            "judgements": stored.judgements(state, found),
-            "bands": stored.bands(state, name, found),
-            "cells": stored.cells(state, name, found),
-            "raw_rows": stored.raw_rows(state, name, found),
+        advice = figures.advice_of(counted)[episode]
+        details: Row = {
+            "finding": None if advice is None else advice.finding,
+            "advice": None if advice is None else advice.advice,
+            "judgements": stored.judgements(state, episode_row),
+            "bands": stored.bands(state, name, episode_row),
+            "cells": stored.cells(state, name, episode_row),
+            "raw_rows": stored.raw_rows(state, name, episode_row),
         }
 
     def show(out: page.Out) -> None:
-        if said is not None:
-            page.say(out, printable(said.finding), printable(f"What to do next: {said.advice}"), "")
-        page.say(out, *_facts(found, shown_in), "")
+        if advice is not None:
+            page.say(out, printable(advice.finding), printable(f"What to do next: {advice.advice}"), "")
+        page.say(out, *_facts(episode_row, shown_in), "")
         judged = [
-            {**row, "until": told_time(row["last_time"], kind), "threshold": row["height"]}
-            for row in told["judgements"]
+            {**row, "until": time_of(row["last_time"], kind), "threshold": row["height"]}
+            for row in details["judgements"]
         ]
         columns: dict[str, page.Cell] = {
             "judgement": "judgement_no",
@@ -98,17 +98,17 @@ def alarm(settings: Settings, common: options.Common, episode: int = argument("a
             **{name: name for name in ("novel", "evidence", "threshold")},
         }
         page.table(out, judged, columns, lambda row: "!" if row["is_open"] else " ")
-        page.say(out, page.WORDS["alarm"]["legend"].format(window=found["window_length"] or 0))
-        if told["bands"]:
+        page.say(out, page.WORDS["alarm"]["legend"].format(window=episode_row["window_length"] or 0))
+        if details["bands"]:
             page.say(out, page.WORDS["alarms"]["bands"])
-            page.table(out, told["bands"], _OF_BAND)
-        _show_cells(out, told["cells"], kind, shown_in)
-        if told["raw_rows"] is not None:
+            page.table(out, details["bands"], _OF_BAND)
+        _show_cells(out, details["cells"], kind, shown_in)
+        if details["raw_rows"] is not None:
             page.say(out, page.WORDS["alarm"]["rows"])
-            page.verbatim(out, f"{told['raw_rows']};")
-        page.verbatim(out, "", *_commands(found))
+            page.verbatim(out, f"{details['raw_rows']};")
+        page.verbatim(out, "", *_commands(episode_row))
 
-    page.tell({"monitor": name, **found, **told}, show, common)
+    page.tell({"monitor": name, **episode_row, **details}, show, common)
 
 
 @options.of_state(*options.STATE, "as_json", "quiet")
@@ -136,24 +136,24 @@ def label(
         refusal = f"--until is {until!r}; write 2026-03-14 or 2026-03-14T18:00."
         of["until"] = _read(dt.datetime.fromisoformat, until, refusal)
     with state_of(settings, writable=True) as state:
-        found = stored.label(state, name, kind, note=note, instead=instead, **of)
-        rows = [row for row in stored.alarms(state, name).to_pylist() if row["episode"] in found]
+        episodes = stored.label(state, name, kind, note=note, instead=instead, **of)
+        rows = [row for row in stored.alarms(state, name).to_pylist() if row["episode"] in episodes]
         judged = {(row["asset"], row["channel"]): row["reason"] for row in stored.limits(state, name)}
-    labelled = {"monitor": name, "kind": kind, "episodes": found}
-    page.tell(labelled, lambda out: page.say(out, *_said_of_label(first, kind, rows, judged)), common)
+    labelled = {"monitor": name, "kind": kind, "episodes": episodes}
+    page.tell(labelled, lambda out: page.say(out, *_label_lines(first, kind, rows, judged)), common)
 
 
-def _said_of_label(
+def _label_lines(
     first: str, kind: str, rows: Sequence[Row], judged: Mapping[tuple[str, str], str | None]
 ) -> Iterator[str]:
     """Yield what a label did: of which episodes it is said, and what follows."""
-    said = page.WORDS["label"]
+    texts = page.WORDS["label"]
     if not rows:
-        yield said["nothing"].format(asset=printable(first), kind=kind)
+        yield texts["nothing"].format(asset=printable(first), kind=kind)
     for row in rows:
         name = printable(f"{row['asset']} {row['channel']}")
         is_off = judged[row["asset"], row["channel"]] == UNREPRESENTATIVE and kind == "false_alarm"
-        what = said["judged_no_more" if is_off else kind].format(until=row["label_until"] or "it ends")
+        what = texts["judged_no_more" if is_off else kind].format(until=row["label_until"] or "it ends")
         yield f"episode {row['episode']} ({name}, {row['status']}) is labelled {kind}: {what}"
 
 
@@ -174,12 +174,12 @@ def limits(
         if reason is not None:
             with state.session.transaction():
                 parameters, _ = settings.method()
-                asked = (settings.alarms, parameters, reason)
-                made.make(state, settings.monitor.name, *asked, lambda _: True)
+                arguments = (settings.alarms, parameters, reason)
+                stored_limits.make(state, settings.monitor.name, *arguments, lambda _: True)
         rows = stored.limits(state, settings.monitor.name)
 
     def show(out: page.Out) -> None:
-        page.say(out, *said_of(rows))
+        page.say(out, *limit_lines(rows))
         shown = common.of(rows)
         columns: dict[str, page.Cell] = {
             "channel": page.name_in(shown),
@@ -207,8 +207,10 @@ def backtest(
     spans = settings_of(Calibration)["intervals"].takes.read("--healthy", healthy) if healthy else None
     with reading(settings, common) as (session, job, _):
         method = (job.parameters, job.calibration)
-        found = backtesting.backtest(job.guess.source, *method, settings.alarms, spans, session)
-    page.tell({**job.figures(), **found}, lambda out: page.say(out, *_said_of_backtest(found)), common)
+        backtested = backtesting.backtest(job.guess.source, *method, settings.alarms, spans, session)
+    page.tell(
+        {**job.figures(), **backtested}, lambda out: page.say(out, *_backtest_lines(backtested)), common
+    )
 
 
 def promised(rows: Sequence[Row]) -> Row:
@@ -221,53 +223,53 @@ def promised(rows: Sequence[Row]) -> Row:
     judged = [row for row in rows if row["reason"] is None]
     stated = [row for row in judged if row["stated_rate"] is not None]
     days, rates = ([row[of] for row in stated] for of in ("judgements_per_day", "stated_rate"))
-    is_known = rates and None not in days
+    has_days = rates and None not in days
     return {
         "asked": sorted({row["asked"] for row in judged}),
         "judged": len(judged),
         "withheld": dict(Counter(row["reason"] for row in rows if row["reason"] is not None)),
         "basis": dict(Counter(row["basis"] for row in judged)),
         "stated": sum(rates) / len(rates) if rates else None,
-        "per_day": sum(map(operator.mul, rates, days)) if is_known else None,
+        "per_day": sum(map(operator.mul, rates, days)) if has_days else None,
     }
 
 
-def said_of(rows: Sequence[Row]) -> Iterator[str]:
+def limit_lines(rows: Sequence[Row]) -> Iterator[str]:
     """Yield what is to be said of the limits of some channels."""
-    told = promised(rows)
-    if told["judged"]:
-        bases = ", ".join(f"{count:,} by {basis}" for basis, count in sorted(told["basis"].items()))
-        line = f"asked: {'; '.join(told['asked'])} ({bases})"
-        if told["stated"] is not None:
-            line += f"; can be stated: {1000 * told['stated']:.3g} per 1,000 judgements"
-        if often := told["per_day"]:
+    promise = promised(rows)
+    if promise["judged"]:
+        bases = ", ".join(f"{count:,} by {basis}" for basis, count in sorted(promise["basis"].items()))
+        line = f"asked: {'; '.join(promise['asked'])} ({bases})"
+        if promise["stated"] is not None:
+            line += f"; can be stated: {1000 * promise['stated']:.3g} per 1,000 judgements"
+        if often := promise["per_day"]:
             line += f", {often:.2g} a day" if often >= 1 else f", 1 in {1 / often:.2g} days"
             line += " of all channels"
         yield line
-    if told["basis"].get("none"):
-        count = number_of(told["basis"]["none"], "channel")
+    if promise["basis"].get("none"):
+        count = number_of(promise["basis"]["none"], "channel")
         yield f"{count} of which no rate can be stated; they are judged all the same"
-    for reason, count in sorted(told["withheld"].items()):
+    for reason, count in sorted(promise["withheld"].items()):
         yield f"{number_of(count, 'channel')} without a limit: {reason}"
     if indicated := sum(row["basis"] == "indicator" for row in rows):
         yield f"{number_of(indicated, 'channel')} judged by the health indicator: no rate can be stated"
 
 
-def _said_of_backtest(found: Row) -> Iterator[str]:
+def _backtest_lines(backtested: Row) -> Iterator[str]:
     """Yield what is said of the figures, a sentence a line; rates are per 1,000 judgements."""
-    said = page.WORDS["backtest"]
-    rates = {name: 1000 * found[name] for name in _RATES if found[name] is not None}
-    yield said["counted"].format(**found)
-    yield said["stated"].format(**found | rates) if "stated" in rates else "no rate can be stated"
-    yield said["seen"].format(**found | rates)
-    if found["per_day_seen"] is not None:
-        a_day = found["per_day_stated"]
-        yield said["a_day"].format(**found) + ("" if a_day is None else f", {a_day:.3g} stated")
-    for basis, one in sorted(found["basis"].items()):
-        yield said["basis"].format(basis=basis, **one)
-    for reason, count in sorted(found["withheld"].items()):
+    texts = page.WORDS["backtest"]
+    rates = {name: 1000 * backtested[name] for name in _RATES if backtested[name] is not None}
+    yield texts["counted"].format(**backtested)
+    yield texts["stated"].format(**backtested | rates) if "stated" in rates else "no rate can be stated"
+    yield texts["seen"].format(**backtested | rates)
+    if backtested["per_day_seen"] is not None:
+        a_day = backtested["per_day_stated"]
+        yield texts["a_day"].format(**backtested) + ("" if a_day is None else f", {a_day:.3g} stated")
+    for basis, counts in sorted(backtested["basis"].items()):
+        yield texts["basis"].format(basis=basis, **counts)
+    for reason, count in sorted(backtested["withheld"].items()):
         yield f"without a limit: {count:,} ({reason})"
-    raised = [row for row in found["by_channel"] if row["episodes"]]
+    raised = [row for row in backtested["by_channel"] if row["episodes"]]
     for row in sorted(raised, key=lambda row: -row["episodes"])[:5]:
         name = " / ".join(filter(None, (row["asset"], row["channel"])))
         yield f"raised: {name}: {row['episodes']:,} in {row['judgements']:,} judgements"
@@ -343,7 +345,7 @@ def _show_cells(out: page.Out, cells: Sequence[Row], kind: TimeKind, shown_in: d
         before = ", ".join(str(axis["samples_before"]) for axis in cells[0]["axes"])
         page.say(out, f"where it went instead (values {before} samples before; bins from the healthy):")
         edges = ("first", "last")
-        rows = [row | {edge: told_time(row[f"{edge}_tick"], kind) for edge in edges} for row in cells]
+        rows = [row | {edge: time_of(row[f"{edge}_tick"], kind) for edge in edges} for row in cells]
         has_programs = any(row["program"] is not None for row in rows)
         programs: dict[str, page.Cell] = {"program": "program"} if has_programs else {}
         columns: dict[str, page.Cell] = {
@@ -381,7 +383,7 @@ def _show_messages(out: page.Out, rows: Sequence[Row], newest: int, shown_in: dt
         others = row["signals_together"] - 1
         beside = f" and {number_of(others, 'other signal')}" if others > 0 else ""
         by = ", by its indicator: no rate can be stated" if row["basis"] == "indicator" else ""
-        told = f"episode {row['episode_id']} {row['what']}: {name}{beside}{by}"
-        page.say(out, f"{row['seq']}  {when}  {told}")
+        line = f"episode {row['episode_id']} {row['what']}: {name}{beside}{by}"
+        page.say(out, f"{row['seq']}  {when}  {line}")
     if rows and newest > rows[-1]["seq"]:
         page.say(out, f"the newest change is {newest}")

@@ -13,14 +13,14 @@ def lines(siblings: Sequence[Siblings], everything: bool = False) -> Iterator[st
     """Yield a line for channels that share what was chosen: what, and why."""
     shown = siblings if everything else siblings[:SHOWN]
     for of in shown:
-        said = []
+        parts = []
         if of.scores:
-            said.append(f"tau {of.tau}, {reason(of)}")
+            parts.append(f"tau {of.tau}, {reason(of)}")
         if "window" in of.setting.open_settings:
-            said.append(f"window {of.window:,}, a twentieth of calibration")
-        if said:
+            parts.append(f"window {of.window:,}, a twentieth of calibration")
+        if parts:
             name = printable(of.name) if of.name else "channels with a name of their own"
-            yield f"chosen for {name} ({len(of.channels):,}): {'; '.join(said)}"
+            yield f"chosen for {name} ({len(of.channels):,}): {'; '.join(parts)}"
     if len(shown) < len(siblings):
         yield f"... and {number_of(len(siblings) - len(shown), 'more name')}"
 
@@ -46,8 +46,8 @@ def reasons(of: Siblings) -> dict[str, str]:
 
 def scores(of: Siblings) -> str:
     """Return the score of each delay under which some grid passes."""
-    told = " ".join(f"{delay}: {score:,}" for delay, score in of.scores.items())
-    return told or "no grid passes at any delay"
+    text = " ".join(f"{delay}: {score:,}" for delay, score in of.scores.items())
+    return text or "no grid passes at any delay"
 
 
 def figures(siblings: Sequence[Siblings]) -> list[Row]:

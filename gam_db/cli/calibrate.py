@@ -60,8 +60,8 @@ def calibrate(
             settings = dataclasses.replace(settings, source=named)
             is_new = not migrations.status(session, tables).applied
             job = _job(session, settings, is_new)
-            asked = (job.guess.source, job.parameters, job.calibration, settings.alarms)
-            with Monitor(session, *asked, **vars(settings.monitor)) as monitor:
+            arguments = (job.guess.source, job.parameters, job.calibration, settings.alarms)
+            with Monitor(session, *arguments, **vars(settings.monitor)) as monitor:
                 applied = monitor.migrate() if is_new else []
                 rows = monitor.calibrate(again, on_step=on_step).to_pylist()
     urgent = need_attention(rows) or any(map(is_blind, rows))
@@ -104,54 +104,61 @@ def _none_left_empty(address: str | None) -> Iterator[None]:
 
 def _job(session: Session, settings: Settings, is_new: bool) -> Job:
     """Return what is to be calibrated; what was not said of a known monitor's source is remembered."""
-    said, known, tables = settings.source, None, settings.monitor.tables
-    said.check_conditions(session.engine)
+    source, monitor_row, tables = settings.source, None, settings.monitor.tables
+    source.check_conditions(session.engine)
     if not is_new:
         migrations.require(session, tables)
         state = State(session, tables)
         names = {row["name"]: row for row in state.monitors()}
-        if known := names.get(settings.monitor.name):
-            said = _remembered(said, known, list(dict.fromkeys(channels_of(state, known))))
-            said = dataclasses.replace(said, where_any=True)  # what is remembered was let before
-    if said.relation is None:
+        if monitor_row := names.get(settings.monitor.name):
+            source = _remembered(
+                source, monitor_row, list(dict.fromkeys(channels_of(state, monitor_row)))
+            )
+            source = dataclasses.replace(source, where_any=True)  # what is remembered was let before
+    if source.relation is None:
         raise wrong("no_source_to_calibrate")
-    settings = dataclasses.replace(settings, source=said)
-    job = job_of(session, settings, _absolute(said.relation), shown_relation(said.relation))
-    if known is not None:
-        _check_same(job.guess.source, known)
+    settings = dataclasses.replace(settings, source=source)
+    job = job_of(session, settings, _absolute(source.relation), shown_relation(source.relation))
+    if monitor_row is not None:
+        _check_same(job.guess.source, monitor_row)
     return job
 
 
-def _remembered(said: SourceSettings, known: Row, channels: Sequence[str]) -> SourceSettings:
+def _remembered(settings: SourceSettings, monitor_row: Row, channels: Sequence[str]) -> SourceSettings:
     """Return what was said of a source, and what its monitor knows where nothing was."""
-    source = source_of(known, channels, said.relation)
+    source = source_of(monitor_row, channels, settings.relation)
     remembered: Row = {"relation": source.relation}
     shared = {"asset": source.asset or False, "time": source.time, "where": source.where}
     if isinstance(source, WideSource):
-        if said.channel is None and said.value is None:
+        if settings.channel is None and settings.value is None:
             remembered |= shared | {"layout": "wide", "channels": source.channels}
-    elif said.layout != "wide" and said.channels is None:
+    elif settings.layout != "wide" and settings.channels is None:
         remembered |= shared | {"channel": source.channel or False, "value": source.value}
     remembered |= source.written
-    unsaid = {key: value for key, value in remembered.items() if getattr(said, key) is None}
-    return dataclasses.replace(said, **unsaid)
+    unsaid = {key: value for key, value in remembered.items() if getattr(settings, key) is None}
+    return dataclasses.replace(settings, **unsaid)
 
 
-def _check_same(source: AnySource, known: Mapping[str, Any]) -> None:
+def _check_same(source: AnySource, monitor_row: Mapping[str, Any]) -> None:
     """Refuse to calibrate on a source that the monitor would not score."""
     here = described(source)
     for column in SOURCE_COLUMNS:
-        was, now = known[column], here[column]
+        was, now = monitor_row[column], here[column]
         if was == now or (column == "source" and _absolute(was) == _absolute(str(now))):
             continue
-        name, column, was, now = known["name"], column.replace("_", " "), was or "none", now or "none"
+        name, column, was, now = (
+            monitor_row["name"],
+            column.replace("_", " "),
+            was or "none",
+            now or "none",
+        )
         raise wrong("monitor_of_another_source", name=name, column=column, was=was, now=now)
 
 
 def _absolute(relation: str | tuple[str, ...]) -> str | tuple[str, ...]:
     """Return a relation as it can be read from any folder, since gam score may run in another one."""
     if not isinstance(relation, str):
-        return tuple(str(_absolute(one)) for one in relation)
+        return tuple(str(_absolute(path)) for path in relation)
     if not is_file(relation) or "://" in relation:
         return relation
     return slashed(os.path.abspath(relation), relation)
@@ -194,7 +201,7 @@ def _show(
     }
     left, spare = ("reason", "verdict"), ("cells", "vectors", "sees")
     page.table(out, shown, columns, lambda row: "?" if _is_poor(row) else " ", left, spare)
-    told = (
+    remarks = (
         (
             name(row),
             [
@@ -206,7 +213,7 @@ def _show(
         )
         for row in shown
     )
-    page.remarks(out, told, everything)
+    page.remarks(out, remarks, everything)
     page.cut(out, ordered, everything, page.verdicts)
     out.print()
     page.say(out, f"verdicts: {page.verdicts(rows)}", *automatic.lines(siblings, everything))

@@ -71,7 +71,7 @@ def looked(session: Session, job: Job, on_step: Listener) -> Seen:
 def _figures(seen: Seen) -> Row:
     """Return what --json prints; lengths in microseconds or counter steps."""
     look, proposal = seen.look, seen.proposal
-    gap, still = (one and one.value for one in (proposal.max_gap, proposal.still))
+    gap, still = (suggestion and suggestion.value for suggestion in (proposal.max_gap, proposal.still))
     return {
         **seen.job.figures(),
         "time": "counter" if look.kind.is_counter else "timestamp",
@@ -81,7 +81,7 @@ def _figures(seen: Seen) -> Row:
         ],
         "rows_without": look.nameless,
         "programs": look.programs,
-        "program_columns": [asdict(one) for one in look.candidates],
+        "program_columns": [asdict(candidate) for candidate in look.candidates],
         "notes": [
             {
                 "subject": note.subject,
@@ -93,11 +93,15 @@ def _figures(seen: Seen) -> Row:
         ],
         "proposal": {
             "max_gap": gap,
-            "max_gap_by_channel": {name: one.value for name, one in proposal.gaps.items()},
+            "max_gap_by_channel": {name: suggestion.value for name, suggestion in proposal.gaps.items()},
             "window": proposal.window,
-            "window_by_channel": {name: one.value for name, one in proposal.windows.items()},
+            "window_by_channel": {
+                name: suggestion.value for name, suggestion in proposal.windows.items()
+            },
             "still_after": still,
-            "still_after_by_channel": {name: one.value for name, one in proposal.stills.items()},
+            "still_after_by_channel": {
+                name: suggestion.value for name, suggestion in proposal.stills.items()
+            },
         },
     }
 
@@ -199,7 +203,7 @@ def _ending(seen: Seen) -> list[str]:
     lines = [points] if must else []
     if not look.channels:
         return lines
-    said = look.method.parameters
+    parameters = look.method.parameters
     to_set = []
     pauses = any(
         row["pauses"] and not (is_heeded(look, row) or is_irregular(row)) for row in look.channels
@@ -208,13 +212,13 @@ def _ending(seen: Seen) -> list[str]:
         to_set.append(f"max_gap = {json.dumps(proposal.max_gap.value)}")
     elif pauses and proposal.gaps:
         to_set.append(f"max_gap of {number_of(len(proposal.gaps), 'channel')}")
-    if said.still_after is None and proposal.still is not None:
+    if parameters.still_after is None and proposal.still is not None:
         to_set.append(f"still_after = {proposal.still.value} ({proposal.still.reason})")
-    elif said.still_after is None and proposal.stills:
+    elif parameters.still_after is None and proposal.stills:
         to_set.append(f"still_after of {number_of(len(proposal.stills), 'channel')}")
     if proposal.window is None:
         lines.append(f"no window: {proposal.window_reason}")
-    elif proposal.window != said.window:
+    elif proposal.window != parameters.window:
         to_set.append(f"window = {proposal.window} ({proposal.window_reason})")
     if proposal.windows:
         to_set.append(f"a shorter window of {number_of(len(proposal.windows), 'channel')}")
@@ -229,25 +233,25 @@ def _check_state(
     name = settings.monitor.name
     session = options.opened(settings, common.threads, writable=False)
     with working(session, common.quiet) as on_step:
-        monitor, known = watched(session, settings, relation)
-        found = monitor.checked_state(on_step=on_step)
+        monitor, monitor_row = watched(session, settings, relation)
+        comparison = monitor.checked_state(on_step=on_step)
     # Only now, and shortly: a DuckDB file that is open for writing is open for nobody else.
     unkept = None
     try:
         with options.opened(settings, common.threads) as session:
             state = State(session, settings.monitor.tables)
-            keep(state, state.monitor(name)["monitor_id"], found.proof)
+            keep(state, state.monitor(name)["monitor_id"], comparison.proof)
     except EngineError as error:
         unkept = error.options
-    kind, proof = kind_of(known), found.proof
-    rows = [_told(row, kind, "since") for row in found.differences.to_pylist()]
-    apart = [_told(row, kind, "since", "until") for row in found.uncompared.to_pylist()]
-    sinces = [since for since in found.differences["since"].to_pylist() if since is not None]
+    kind, proof = kind_of(monitor_row), comparison.proof
+    rows = [_with_times(row, kind, "since") for row in comparison.differences.to_pylist()]
+    apart = [_with_times(row, kind, "since", "until") for row in comparison.uncompared.to_pylist()]
+    sinces = [since for since in comparison.differences["since"].to_pylist() if since is not None]
 
     def show(out: page.Out) -> None:
         others = {(row["asset"], row["channel"]) for row in rows if row["asset"] is not None}
-        said = page.WORDS["check"]["differs" if rows else "in_part" if apart else "same"]
-        page.say(out, said.format(name=name, proof=proof, others=len(others)))
+        sentence = page.WORDS["check"]["differs" if rows else "in_part" if apart else "same"]
+        page.say(out, sentence.format(name=name, proof=proof, others=len(others)))
         for row in common.of(rows):
             page.say(out, f"  {_line(row)}")
         page.cut(out, rows, common.everything)
@@ -280,8 +284,8 @@ def _line(row: Row) -> str:
     named = printable(f"{row['asset']} {row['channel']}")
     since = "" if row["since"] is None else f", from {row['since']} on"
     if row["part"] not in _MENDED:
-        said = f"{row['part']}: {row['what']} ({row['differing']:,}){since}"
-        return said if row["asset"] is None else f"{named}: version {row['version']}: {said}"
+        difference = f"{row['part']}: {row['what']} ({row['differing']:,}){since}"
+        return difference if row["asset"] is None else f"{named}: version {row['version']}: {difference}"
     counted = f"{row['samples_then']:,} then, {row['samples_now']:,} now"
     if row["part"] == "calibration":
         others = "" if row["what"] is None else f"; differing: {row['what']}"
@@ -292,12 +296,12 @@ def _line(row: Row) -> str:
 def _left(row: Row) -> str:
     """Return what is said of what is not compared, whose times are told."""
     named = printable(f"{row['asset']} {row['channel']}")
-    said = page.WORDS["check"][row["why"].replace(" ", "_")]
+    sentence = page.WORDS["check"][row["why"].replace(" ", "_")]
     edge = row["until"] if row["since"] is None else row["since"]
-    return f"{named}: {row['part']}: {said.format(edge=edge or 'now')}"
+    return f"{named}: {row['part']}: {sentence.format(edge=edge or 'now')}"
 
 
-def _told(row: Row, kind: TimeKind, *times: str) -> Row:
+def _with_times(row: Row, kind: TimeKind, *times: str) -> Row:
     """Return a row with its times as text."""
     shown = {name: None if row[name] is None else shown_instant(row[name], kind) for name in times}
     return row | shown

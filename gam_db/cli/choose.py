@@ -45,31 +45,31 @@ def select(
     curves.
     """
     with reading(settings, common) as (session, whole, on_step):
-        asked = dataclasses.replace(whole.parameters, tau=AUTO, bins=AUTO, overrides=())
+        open_parameters = dataclasses.replace(whole.parameters, tau=AUTO, bins=AUTO, overrides=())
         alike = dataclasses.replace(whole.calibration, pool=None, reference=())
-        study = Study(session, whole.guess.source, asked, alike, on_step)
+        study = Study(session, whole.guess.source, open_parameters, alike, on_step)
         study.forget()
     if whole.parameters.window == AUTO:
         window = study.method.parameters.window
         taken = dataclasses.replace(whole.parameters, window=window, stride=None)
         whole = dataclasses.replace(whole, parameters=taken)
-    found = chosen(settings, whole, search, common.threads)
+    selection = chosen(settings, whole, search, common.threads)
     if write is not None:
-        written(write, settings, whole, found.choices.to_pylist())
+        written(write, settings, whole, selection.choices.to_pylist())
     parameters, calibration = alone(whole.parameters, whole.calibration)
     job = dataclasses.replace(whole, parameters=parameters, calibration=calibration)
     figures = {
         "source": {"name": job.name, "guessed": job.guess.guessed},
         "settings_file": job.file,
         "search": search,
-        "asked": {name: getattr(parameters, name) for name in _ASKED},
-        **vars(found),
+        "asked": {name: getattr(parameters, name) for name in _REQUESTED},
+        **vars(selection),
         "scores": automatic.figures(study.siblings),
     }
     by_name = {name_of(row): of for of in study.siblings for row in of.channels}
 
     def show(out: page.Out) -> None:
-        _show(out, job, found, common, by_name)
+        _show(out, job, selection, common, by_name)
         if write is None:
             return
         file, named = printable(str(write)), f" --config {shlex.quote(str(write))}"
@@ -77,100 +77,100 @@ def select(
         if load(write).method()[1] != whole.calibration:
             page.say(out, page.WORDS["select"]["other_calibration"].format(file=file))
 
-    page.tell(figures, show, common, failed=len(found.failures) > 0)
+    page.tell(figures, show, common, failed=len(selection.failures) > 0)
 
 
-_ASKED = ("m", "bins", "window", "target_floor")
+_REQUESTED = ("m", "bins", "window", "target_floor")
 _LAGS = (("minimum", "ami_minimum"), ("acf < 1/e", "acf_1e"), ("acf <= 0", "acf_zero"))
 
 
 def _show(
     out: page.Out,
     job: Job,
-    found: Selection,
+    selection: Selection,
     common: options.Common,
     by_name: Mapping[tuple[str, str], Siblings],
 ) -> None:
-    choices: list[Row] = found.choices.to_pylist()
+    choices: list[Row] = selection.choices.to_pylist()
     page.say(out, f"{printable(job.name)}: {number_of(len(choices), 'channel')}")
     page.say(out, job.columns_line())
     page.say(out, f"chosen from {healthy_part(job.calibration)}")
-    curves = [_by_channel(table) for table in (found.lags, found.dimensions, found.budget)]
-    for one in common.of(choices):
-        key = (one["asset"], one["channel"])
+    curves = [_by_channel(table) for table in (selection.lags, selection.dimensions, selection.budget)]
+    for choice in common.of(choices):
+        key = (choice["asset"], choice["channel"])
         page.title(out, " ".join(map(printable, key)))
-        page.notes(out, _lines(one, job.parameters.window, *(of[key] for of in curves)))
+        page.notes(out, _lines(choice, job.parameters.window, *(of[key] for of in curves)))
         if (of := by_name.get(key)) is not None:
             scores = f"by delay: {automatic.scores(of)}; {number_of(len(of.channels), 'sibling')}"
             page.notes(out, [("score", f"{scores} take tau {of.tau}")])
-    for one in found.failures.to_pylist():
+    for failure in selection.failures.to_pylist():
         out.print()
-        name = f"{printable(one['asset'])} {printable(one['channel'])}"
-        page.say(out, f"{name}: nothing chosen, by a fault of gam-db or its engine: {one['reason']}")
+        name = f"{printable(failure['asset'])} {printable(failure['channel'])}"
+        page.say(out, f"{name}: nothing chosen, by a fault of gam-db or its engine: {failure['reason']}")
     if len(choices) > options.SHOWN:
         out.print()
     page.cut(out, choices, common.everything)
 
 
 def _lines(
-    one: Row, window: int, lags: Sequence[Row], dimensions: Sequence[Row], budget: Sequence[Row]
+    choice: Row, window: int, lags: Sequence[Row], dimensions: Sequence[Row], budget: Sequence[Row]
 ) -> Iterator[tuple[str, str | Course]]:
-    if one["verdict"] in ("constant", "no_data"):
-        said = {"constant": "did not move", "no_data": "no usable sample or no whole vector"}
-        yield "", f"{one['verdict']}: {said[one['verdict']]} in {one['samples']:,} samples"
+    if choice["verdict"] in ("constant", "no_data"):
+        words = {"constant": "did not move", "no_data": "no usable sample or no whole vector"}
+        yield "", f"{choice['verdict']}: {words[choice['verdict']]} in {choice['samples']:,} samples"
         return
-    tau = "-" if one["tau"] is None else one["tau"]
-    others = ", ".join(f"{name} {one[lag]}" for name, lag in _LAGS if one[lag] is not None)
-    yield "tau", f"{tau}: {page.WORDS['tau'][one['tau_rule']]}" + (f" ({others})" if others else "")
+    tau = "-" if choice["tau"] is None else choice["tau"]
+    others = ", ".join(f"{name} {choice[lag]}" for name, lag in _LAGS if choice[lag] is not None)
+    yield "tau", f"{tau}: {page.WORDS['tau'][choice['tau_rule']]}" + (f" ({others})" if others else "")
     if len(lags) > 1:
         highest = max(row["ami"] for row in lags[1:])
         yield "AMI", Course(_scaled([row["ami"] for row in lags[1:]]))
         yield "", f"lags 1 to {lags[-1]['delay']}, up to {highest:.2f} nats"
         yield "acf", Course(_scaled([row["acf"] for row in lags[1:]]))
-    dimension = page.WORDS["dimension"][one["fnn_status"]].format(m=one["m_fnn"])
-    cao = page.WORDS["cao"][one["cao_status"]].format(m=one["m_cao"])
+    dimension = page.WORDS["dimension"][choice["fnn_status"]].format(m=choice["m_fnn"])
+    cao = page.WORDS["cao"][choice["cao_status"]].format(m=choice["m_cao"])
     yield "m", f"{dimension}; {cao}"
     if dimensions:
         shares = [row["false_share"] for row in dimensions]
         shown = " ".join("-" if share is None else f"{100 * share:.1f}" for share in shares)
         yield "", f"false neighbours, m = 1 to {len(shares)}: {shown} %"
-    yield "window", _window(one, window)
+    yield "window", _window(choice, window)
     if budget:
         finest = (row["finest_bins"] for row in budget)
         grids = " ".join("-" if bins is None else str(bins) for bins in finest)
         yield "bins", f"finest grid that this calibration fills, m = 1 to {len(budget)}: {grids}"
-    yield "take", _together(one)
+    yield "take", _together(choice)
 
 
-def _window(one: Row, window: int) -> str:
-    taken = one["recommended_window"]
+def _window(choice: Row, window: int) -> str:
+    taken = choice["recommended_window"]
     if taken is None:
         return page.WORDS["select"]["no_window"]
-    wanted = window if one["window_status"] != "short" else 5 * one["cycle_length"]
+    wanted = window if choice["window_status"] != "short" else 5 * choice["cycle_length"]
     if taken < wanted:
         return page.WORDS["select"]["eighth"].format(taken=taken, wanted=wanted)
-    if one["window_status"] == "no_cycle":
+    if choice["window_status"] == "no_cycle":
         return f"{window}: as asked for; no cycle seen"
-    cycle = one["cycle_length"]
+    cycle = choice["cycle_length"]
     held = f"{window} holds {window / cycle:.1f} cycles of {cycle} samples"
-    if one["window_status"] == "enough":
+    if choice["window_status"] == "enough":
         return f"{window}: {held}"
-    return f"{one['recommended_window']}: {held}, which is short; take at least 5"
+    return f"{choice['recommended_window']}: {held}, which is short; take at least 5"
 
 
-def _together(one: Row) -> str:
+def _together(choice: Row) -> str:
     taken = {
-        "--m": one["recommended_m"],
-        "--tau": 1 if one["tau"] is None else one["tau"],
-        "--bins": one["recommended_bins"],
-        "--window": one["recommended_window"],
+        "--m": choice["recommended_m"],
+        "--tau": 1 if choice["tau"] is None else choice["tau"],
+        "--bins": choice["recommended_bins"],
+        "--window": choice["recommended_window"],
     }
     line = " ".join(f"{option} {value}" for option, value in taken.items() if value is not None)
-    if one["verdict"] == "needs_data":
-        needed = one["vectors_needed"]
+    if choice["verdict"] == "needs_data":
+        needed = choice["vectors_needed"]
         more = "" if needed is None else f", about {needed:,} vectors more"
         return f"{line} (needs_data: no grid passes; calibrate longer{more})"
-    return f"{line} (floor {one['recommended_floor']:.3f})"
+    return f"{line} (floor {choice['recommended_floor']:.3f})"
 
 
 def _by_channel(table: pa.Table) -> Mapping[tuple[str, str], list[Row]]:
@@ -183,8 +183,8 @@ def _by_channel(table: pa.Table) -> Mapping[tuple[str, str], list[Row]]:
 def _scaled(curve: Sequence[float | None]) -> NDArray[np.float64]:
     """Return a curve between 0 and 1, whatever its range."""
     points: NDArray[np.float64] = np.array(curve, np.float64)
-    known = points[~np.isnan(points)]
-    if not len(known) or known.max() == known.min():
+    finite = points[~np.isnan(points)]
+    if not len(finite) or finite.max() == finite.min():
         return points * 0
-    points = (points - known.min()) / (known.max() - known.min())
+    points = (points - finite.min()) / (finite.max() - finite.min())
     return points

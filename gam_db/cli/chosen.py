@@ -38,19 +38,19 @@ def chosen(settings: Settings, job: Job, search: Search, threads: int | None) ->
     def studies() -> Iterator[Studied]:
         opened = connect(settings.source.database, threads, writable=False)
         with working(opened) as on_step:
-            yield lambda given: Study(opened, given, parameters, calibration, on_step)
+            yield lambda source: Study(opened, source, parameters, calibration, on_step)
 
     return selected_by_all(studies, job.guess.source, search)
 
 
 def groups(
-    choices: Sequence[Row], job: Job, window: int, own: Mapping[Name, Mapping[str, Any]]
+    choices: Sequence[Row], job: Job, window: int, extra: Mapping[Name, Mapping[str, Any]]
 ) -> list[str]:
     """Return the lines of the ``[[override]]`` groups that say what was chosen.
 
     Members of a pool, which must have the same parameters to learn together, are given the same:
     the median of delay and dimension, the coarsest grid and the longest window. A window is said that is
-    not that of the file; ``own`` is what else is to be said of channels.
+    not that of the file; ``extra`` is what else is to be said of channels.
     """
     rows = {
         (row["asset"], row["channel"]): row
@@ -58,21 +58,23 @@ def groups(
         if row["recommended_m"] is not None and row["verdict"] not in ("constant", "no_data")
     }
     names = [(row["asset"], row["channel"]) for row in choices]
-    said = {name: {**own.get(name, {})} for name in names}
+    changes = {name: {**extra.get(name, {})} for name in names}
     for names in _together(list(rows), job.calibration.pools):
         for key, of, column in _TAKEN:
             taken = [rows[name][column] for name in names]
             if key == "window" and None in taken:  # calibration is too short for any
                 continue
-            value = of([1 if one is None else one for one in taken])
+            value = of([1 if number is None else number for number in taken])
             if key != "window" or value != window:
                 for name in names:
-                    said[name][key] = value
-    kept = {name: tuple(sorted(values.items())) for name, values in said.items() if values}
+                    changes[name][key] = value
+    by_name = {name: tuple(sorted(values.items())) for name, values in changes.items() if values}
     lines: list[str] = []
-    rules = grouped(kept)
+    rules = grouped(by_name)
     for (asset, channel), values in rules:
-        first = {name: next(p for p, _ in rules if all(map(pattern_matches, p, name))) for name in kept}
+        first = {
+            name: next(p for p, _ in rules if all(map(pattern_matches, p, name))) for name in by_name
+        }
         members = [rows[name] for name, p in first.items() if p == (asset, channel) and name in rows]
         lines += ["", "[[override]]", *toml_text.comment(_reason(members, job))]
         lines += toml_text.entries({"asset": (asset, ""), "channel": (channel, "")})
@@ -97,54 +99,58 @@ def written(path: Path, settings: Settings, job: Job, choices: Sequence[Row]) ->
     if not path.parent.is_dir():
         raise ConfigurationError(f"--write is {path}; the folder {path.parent} is not there.")
     if path.exists():
-        known, text = load(path), path.read_text(encoding="utf-8")
+        present, text = load(path), path.read_text(encoding="utf-8")
     else:
-        known, given = settings, {name: (_plain(of), "") for name, of in settings.parameters.items()}
+        present, entries = settings, {name: (_plain(of), "") for name, of in settings.parameters.items()}
         lines = ["# Settings of gam-db, chosen by gam select.", "", "[parameters]"]
         healthy = ["", "[calibration]", *calibration_lines(settings.calibration)]
-        text = "\n".join([*lines, *toml_text.entries(given), *healthy])
-    window = known.parameters.get("window", Parameters().window)
+        text = "\n".join([*lines, *toml_text.entries(entries), *healthy])
+    window = present.parameters.get("window", Parameters().window)
     names = [(row["asset"], row["channel"]) for row in choices]
     taken = {key for key, _, _ in _TAKEN}  # what a file's own group says of these is chosen anew
-    own: dict[Name, dict[str, Any]] = {}
+    extra: dict[Name, dict[str, Any]] = {}
     for name in names:
-        said = next((one.changes() for one in known.overrides if one.names(*name)), {})
-        own[name] = {key: of for key, of in said.items() if key not in taken}
-    kept, among = [], False
+        changes = next(
+            (override.changes() for override in present.overrides if override.names(*name)), {}
+        )
+        extra[name] = {key: of for key, of in changes.items() if key not in taken}
+    remaining, among = [], False
     for line in text.splitlines():
         if re.match(r"\s*\[", line):
             among = re.match(r"\s*\[\[\s*override\s*\]\]", line) is not None
         if not among:
-            kept.append(line)
-    lines = [*"\n".join(kept).rstrip().splitlines(), *groups(choices, job, window, own)]
+            remaining.append(line)
+    lines = [*"\n".join(remaining).rstrip().splitlines(), *groups(choices, job, window, extra)]
     new = "\n".join(lines) + "\n"
     try:
-        is_kept = {**tomllib.loads(text), "override": None} == {**tomllib.loads(new), "override": None}
+        is_same = {**tomllib.loads(text), "override": None} == {**tomllib.loads(new), "override": None}
     except tomllib.TOMLDecodeError:
-        is_kept = False
-    if not is_kept:
+        is_same = False
+    if not is_same:
         raise wrong("override_cannot_be_replaced", path=path)
     save(path, new)
 
 
-def calibration_lines(said: Mapping[str, Any]) -> list[str]:
+def calibration_lines(calibration: Mapping[str, Any]) -> list[str]:
     """Return the lines of the section [calibration], and of those of some assets."""
-    known = {name: (_plain(value), "as given") for name, value in said.items() if name != "overrides"}
-    if not set(WAYS) & set(said):
-        known = {"fraction": (0.2, "the first 20 % of each channel: the default"), **known}
+    entries = {
+        name: (_plain(value), "as given") for name, value in calibration.items() if name != "overrides"
+    }
+    if not set(WAYS) & set(calibration):
+        entries = {"fraction": (0.2, "the first 20 % of each channel: the default"), **entries}
     lines = toml_text.comment(
         "The part that is known to be healthy; better than a share is what you know: "
         "intervals = [[FROM, TO]], such as [[2026-03-01, 2026-03-14T18:00:00]] or [[0, 5000]]."
     )
-    lines += toml_text.entries(known)
-    for pattern, rule in said.get("overrides", {}).items():
+    lines += toml_text.entries(entries)
+    for pattern, rule in calibration.get("overrides", {}).items():
         name = toml_text.value(pattern)
         if rule is None:
             lines += ["", "[calibration.overrides]", f"{name} = false"]
             continue
-        own = {key: getattr(rule, key) for key in settings_of(Calibration)}
-        usual = {key: getattr(Calibration(fraction=1.0), key) for key in own} | {"fraction": None}
-        changed = {key: (value, "as given") for key, value in own.items() if value != usual[key]}
+        values = {key: getattr(rule, key) for key in settings_of(Calibration)}
+        usual = {key: getattr(Calibration(fraction=1.0), key) for key in values} | {"fraction": None}
+        changed = {key: (value, "as given") for key, value in values.items() if value != usual[key]}
         lines += ["", f"[calibration.overrides.{name}]", *toml_text.entries(changed)]
     return lines
 
@@ -164,13 +170,14 @@ def save(path: Path, text: str) -> None:
 
 def _together(names: Sequence[Name], pools: Sequence[Sequence[str]]) -> list[list[Name]]:
     """Return the channels that learn together; one that has no pool stands alone."""
-    found: dict[Any, list[Name]] = {}
+    by_pool: dict[Any, list[Name]] = {}
     for name in names:
         pool = next(
-            (group for group in pools if any(pattern_matches(one, name[0]) for one in group)), None
+            (group for group in pools if any(pattern_matches(pattern, name[0]) for pattern in group)),
+            None,
         )
-        found.setdefault(name if pool is None else (pool, name[1]), []).append(name)
-    return list(found.values())
+        by_pool.setdefault(name if pool is None else (pool, name[1]), []).append(name)
+    return list(by_pool.values())
 
 
 def _reason(members: Sequence[Row], job: Job) -> str:
@@ -178,8 +185,8 @@ def _reason(members: Sequence[Row], job: Job) -> str:
         return "As before; nothing was chosen."
 
     def counted(column: str, words: Mapping[str, str]) -> str:
-        found = Counter(row[column] for row in members).most_common()
-        return "; ".join(words[one] + (f" ({n})" if len(found) > 1 else "") for one, n in found)
+        counts = Counter(row[column] for row in members).most_common()
+        return "; ".join(words[key] + (f" ({n})" if len(counts) > 1 else "") for key, n in counts)
 
     parts = [
         f"tau: {counted('tau_rule', page.WORDS['tau'])}",
@@ -205,8 +212,8 @@ def _reason(members: Sequence[Row], job: Job) -> str:
 
 def _wanted(row: Row, job: Job) -> int:
     """Return the window that the cycle of a channel wants, or that is asked for."""
-    asked = job.parameters.closed().window if job.parameters.is_open else job.parameters.window
-    return 5 * row["cycle_length"] if row["window_status"] == "short" else int(asked)
+    window = job.parameters.closed().window if job.parameters.is_open else job.parameters.window
+    return 5 * row["cycle_length"] if row["window_status"] == "short" else int(window)
 
 
 def _plain(value: Any) -> Any:

@@ -29,16 +29,16 @@ MODULES = {**_LISTED["Watch"], **_LISTED["Once"]}
 
 def laboratory() -> list[EntryPoint]:
     """Return the commands that come by entry points, by name."""
-    return sorted(entry_points(group="gam_db.commands"), key=lambda found: found.name)
+    return sorted(entry_points(group="gam_db.commands"), key=lambda entry: entry.name)
 
 
 def listed() -> Iterable[TyperCommand]:
     """Return a stand-in of every command: its name, its panel and the first sentence of its help."""
-    said = [(name, _sentence(name), panel) for panel in ("Watch", "Once") for name in _LISTED[panel]]
+    commands = [(name, _sentence(name), panel) for panel in ("Watch", "Once") for name in _LISTED[panel]]
     for entry in laboratory():
         sentence = OF_LABORATORY.get(entry.name, f"Comes from {entry.module}.")
-        said.append((entry.name, sentence, "Laboratory"))
-    for name, sentence, panel in said:
+        commands.append((entry.name, sentence, "Laboratory"))
+    for name, sentence, panel in commands:
         yield TyperCommand(name, help=sentence, rich_help_panel=panel, rich_markup_mode="markdown")
 
 
@@ -46,24 +46,24 @@ def _sentence(name: str) -> str:
     """Return the first sentence of a command's help, read without importing its module."""
     text = data.text("gam_db.cli", f"{MODULES[name]}.py")
     begun = rf'^(?:def {name}\(.*?"""|{name} = typer\.Typer\([^)]*help=")'
-    found = re.search(rf'{begun}([^"]+?)(?:\n\n|")', text, re.DOTALL | re.MULTILINE)
-    assert found is not None, name
-    return " ".join(found[1].split())
+    match = re.search(rf'{begun}([^"]+?)(?:\n\n|")', text, re.DOTALL | re.MULTILINE)
+    assert match is not None, name
+    return " ".join(match[1].split())
 
 
 def loaded(name: str) -> Any:
     """Return the command itself; refuse one whose entry point names a module that is not there."""
     if name in MODULES:
-        found = getattr(importlib.import_module(f"gam_db.cli.{MODULES[name]}"), name)
+        command = getattr(importlib.import_module(f"gam_db.cli.{MODULES[name]}"), name)
     else:
         give_pandas()
         entry = next(entry for entry in laboratory() if entry.name == name)
         try:
-            found = entry.load()
+            command = entry.load()
         except ModuleNotFoundError as error:
             raise wrong("command_of_laboratory", name=name, module=entry.module) from error
-    if isinstance(found, typer.Typer):
-        return get_command(found)
+    if isinstance(command, typer.Typer):
+        return get_command(command)
     alone = typer.Typer(add_completion=False, rich_markup_mode="markdown")
-    alone.command(name)(found)
+    alone.command(name)(command)
     return get_command(alone)

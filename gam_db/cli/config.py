@@ -57,37 +57,37 @@ class Settings:
         Columns and conditions that were said of another one are left out; its database stays, in which
         the other may lie.
         """
-        own = self.source.relation
-        if relation is None or own is None or own == relation:
+        of_file = self.source.relation
+        if relation is None or of_file is None or of_file == relation:
             return self
-        here, there = (list(map(os.path.abspath, paths_of(one))) for one in (own, relation))
-        if is_file(own) and here == there:
+        here, there = (list(map(os.path.abspath, paths_of(name))) for name in (of_file, relation))
+        if is_file(of_file) and here == there:
             return self
         source = SourceSettings(database=self.source.database)
         return dataclasses.replace(self, source=source, is_of_another=True)
 
-    def under(self, **said: Mapping[str, Any]) -> "Settings":
+    def under(self, **sections: Mapping[str, Any]) -> "Settings":
         """Return these settings with what was said by options (section -> name -> value) laid over them.
 
         An option replaces the value of its name. The three ways to say where calibration lies replace
         one another, and so do the two layouts with what belongs to each.
         """
-        columns, calibration = said.get("source", {}), said.get("calibration", {})
-        source, kept = self.source, dict(self.calibration)
+        columns, calibration = sections.get("source", {}), sections.get("calibration", {})
+        source, of_file = self.source, dict(self.calibration)
         if columns.get("layout") == "wide":
             source = dataclasses.replace(source, channel=None, value=None)
         elif "channel" in columns or "value" in columns:
             source = dataclasses.replace(source, layout=None, channels=None)
         if calibration.keys() & set(WAYS):
-            kept = {name: value for name, value in kept.items() if name not in WAYS}
+            of_file = {name: value for name, value in of_file.items() if name not in WAYS}
         source = dataclasses.replace(source, **columns)
         return dataclasses.replace(
             self,
             source=source,
-            parameters={**self.parameters, **said.get("parameters", {})},
-            calibration={**kept, **calibration},
-            alarms=dataclasses.replace(self.alarms, **said.get("alarms", {})),
-            monitor=dataclasses.replace(self.monitor, **said.get("monitor", {})),
+            parameters={**self.parameters, **sections.get("parameters", {})},
+            calibration={**of_file, **calibration},
+            alarms=dataclasses.replace(self.alarms, **sections.get("alarms", {})),
+            monitor=dataclasses.replace(self.monitor, **sections.get("monitor", {})),
         )
 
     def method(self) -> tuple[Parameters, Calibration]:
@@ -122,9 +122,11 @@ def _check_owner(path: Path) -> None:
     """Refuse a file that nobody asked for and another user could write: it says SQL that runs."""
     if not hasattr(os, "getuid"):
         return
-    for one in (path, path.resolve().parent):
-        if one.stat().st_uid not in {os.getuid(), *_TRUSTED}:
-            raise wrong("file_of_another_user", path=path, said="it" if one is path else "its folder")
+    for location in (path, path.resolve().parent):
+        if location.stat().st_uid not in {os.getuid(), *_TRUSTED}:
+            raise wrong(
+                "file_of_another_user", path=path, said="it" if location is path else "its folder"
+            )
 
 
 def _settings(document: Mapping[str, Any], path: Path) -> Settings:
@@ -135,36 +137,36 @@ def _settings(document: Mapping[str, Any], path: Path) -> Settings:
     tables = document.get("override", [])
     if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
         raise ConfigurationError("override is a list of tables; begin each with [[override]].")
-    said = {name: dict(document.get(name, {})) for name in SECTIONS}
-    rules = said["calibration"].pop("overrides", {})
+    sections = {name: dict(document.get(name, {})) for name in SECTIONS}
+    rules = sections["calibration"].pop("overrides", {})
     if not isinstance(rules, dict):
         raise wrong("overrides_are_a_section")
-    _check_keys("[calibration]", said["calibration"], (*settings_of(Calibration), "overrides"))
-    said = {name: _read(f"[{name}]", table, SECTIONS[name]) for name, table in said.items()}
+    _check_keys("[calibration]", sections["calibration"], (*settings_of(Calibration), "overrides"))
+    sections = {name: _read(f"[{name}]", table, SECTIONS[name]) for name, table in sections.items()}
     if rules:
-        said["calibration"]["overrides"] = {
+        sections["calibration"]["overrides"] = {
             pattern: _rule(f"[calibration.overrides.{pattern!r}]", rule)
             for pattern, rule in rules.items()
         }
     return Settings(
-        source=_placed(SourceSettings(**said["source"]), path.parent),
-        parameters=said["parameters"],
-        calibration=said["calibration"],
+        source=_located(SourceSettings(**sections["source"]), path.parent),
+        parameters=sections["parameters"],
+        calibration=sections["calibration"],
         overrides=tuple(
             _override(f"[[override]] number {number}", table) for number, table in enumerate(tables, 1)
         ),
-        alarms=Alarms(**said["alarms"]),
-        monitor=MonitorSettings(**said["monitor"]),
+        alarms=Alarms(**sections["alarms"]),
+        monitor=MonitorSettings(**sections["monitor"]),
         file=path,
     )
 
 
 def _read(where: str, table: Mapping[str, Any], of: type) -> dict[str, Any]:
     """Return the values of a section, each checked."""
-    known = settings_of(of)
-    _check_keys(where, table, known)
+    fields = settings_of(of)
+    _check_keys(where, table, fields)
     try:
-        return {name: known[name].of_toml(name, value) for name, value in table.items()}
+        return {name: fields[name].of_toml(name, value) for name, value in table.items()}
     except UserError as error:
         raise ConfigurationError(f"in {where}, {error.options}") from error
 
@@ -190,22 +192,25 @@ def _rule(where: str, rule: Any) -> Calibration | None:
     return Calibration(**_read(where, rule, Calibration))
 
 
-def _placed(said: SourceSettings, folder: Path) -> SourceSettings:
+def _located(settings: SourceSettings, folder: Path) -> SourceSettings:
     """Return the same with paths as seen from here, not from the folder of the file."""
     changed: dict[str, Any] = {}
-    if said.database is not None:
-        if has_password(said.database):
-            raise wrong("password_in_file", shown=shown(said.database))
-        if not is_url(said.database):
-            changed["database"] = str(folder / said.database)
-    if is_file(said.relation):
-        placed = [one if "://" in one else slashed(folder / one, one) for one in paths_of(said.relation)]
-        changed["relation"] = placed[0] if isinstance(said.relation, str) else tuple(placed)
-    return dataclasses.replace(said, **changed)
+    if settings.database is not None:
+        if has_password(settings.database):
+            raise wrong("password_in_file", shown=shown(settings.database))
+        if not is_url(settings.database):
+            changed["database"] = str(folder / settings.database)
+    if is_file(settings.relation):
+        paths = [
+            path if "://" in path else slashed(folder / path, path)
+            for path in paths_of(settings.relation)
+        ]
+        changed["relation"] = paths[0] if isinstance(settings.relation, str) else tuple(paths)
+    return dataclasses.replace(settings, **changed)
 
 
-def _check_keys(where: str, section: Mapping[str, Any], known: Iterable[str], what: str = "key") -> None:
-    choices = tuple(known)
+def _check_keys(where: str, section: Mapping[str, Any], keys: Iterable[str], what: str = "key") -> None:
+    choices = tuple(keys)
     for name in section:
         if name not in choices:
             raise ConfigurationError(f"There is no {what} {name!r} in {where}{nearest(name, choices)}")

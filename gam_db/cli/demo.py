@@ -12,7 +12,7 @@ from gam_db.cli.config import Settings
 from gam_db.cli.job import job_of
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
-from gam_db.cli.report import checked, page_of, told
+from gam_db.cli.report import checked, page_of, show_written
 from gam_db.cli.summary import show
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError
@@ -43,7 +43,7 @@ def demo(keep: Path | None = option("demo.keep"), report: Path | None = option("
             wishes = Wishes(title="A simulated plant", time_zone=plant.TIME_ZONE, made=plant.END)
             method = (plant.PARAMETERS, plant.CALIBRATION, Alarms())
             figures = page_of(Source(plant.telemetry()), method, path, wishes, on_step)
-        told(lines, figures)
+        show_written(lines, figures)
         page.say(lines, "Open it in a browser; it needs no network.")
         return
     if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
@@ -55,10 +55,10 @@ def demo(keep: Path | None = option("demo.keep"), report: Path | None = option("
         on_step("simulating")
         series = langevin.series()
         job = job_of(session, _SIMULATED, series, "simulated machine")
-        found = findings(job.study(session, on_step))
+        channels = findings(job.study(session, on_step))
     page.say(lines, page.WORDS["demo"]["introduction"])
     lines.print()
-    show(lines, job, found)
+    show(lines, job, channels)
     lines.print()
     if keep is not None:
         parquet.write_table(series, keep)

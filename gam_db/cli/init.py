@@ -56,8 +56,8 @@ def init(
     choices = None
     if select:
         choices = chosen(settings, seen.job, Search(), common.threads).choices.to_pylist()
-    found = None if study is None else Found(study.method.parameters, study.siblings, names)
-    save(out, text(seen, settings, out.parent, choices, found))
+    calibrated = None if study is None else Calibrated(study.method.parameters, study.siblings, names)
+    save(out, text(seen, settings, out.parent, choices, calibrated))
 
     def show(lines: page.Out) -> None:
         page.say(lines, heading(seen))
@@ -74,7 +74,7 @@ EVERY = ("*", "*")
 
 
 @dataclasses.dataclass(frozen=True)
-class Found:
+class Calibrated:
     """What calibration chose: parameters, the siblings it chose for, and the names of all channels."""
 
     parameters: Parameters
@@ -86,14 +86,14 @@ class Found:
         of_open = {
             name_of(row): (of, of.setting.open_settings) for of in self.siblings for row in of.channels
         }
-        said = {
+        by_name = {
             name: tuple((key, getattr(self.parameters.of(*name), key)) for key in ("m", *open_settings))
             for name in self.names
             if name in of_open
             for open_settings in [of_open[name][1]]
         }
         rules = []
-        for pattern, values in grouped(said):
+        for pattern, values in grouped(by_name):
             of = next(
                 of for name, (of, _) in of_open.items() if all(map(pattern_matches, pattern, name))
             )
@@ -106,7 +106,7 @@ def text(
     settings: Settings,
     folder: Path,
     choices: Sequence[dict[str, Any]] | None = None,
-    found: Found | None = None,
+    calibrated: Calibrated | None = None,
 ) -> str:
     """Return the text of a settings file in a folder; with what ``gam select`` says, where asked.
 
@@ -117,12 +117,12 @@ def text(
         "proposed from a look at the source; all keys can be left out or changed."
     )
     for note in seen.notes:
-        said = note_line(note, seen.look)
-        first, *more = toml_text.comment(f"{'MUST BE FIXED' if note.must else 'Note'}: {said}")
+        sentence = note_line(note, seen.look)
+        first, *more = toml_text.comment(f"{'MUST BE FIXED' if note.must else 'Note'}: {sentence}")
         lines += ["#", first, *more]
     lines += ["", "[source]", *toml_text.entries(_source(seen, settings, folder))]
     parameters = _parameters(seen, settings)
-    rules = [] if found is None or choices is not None else found.rules()
+    rules = [] if calibrated is None or choices is not None else calibrated.rules()
     if _proposes_window(settings) and seen.proposal.window is None:
         for _, values, _ in rules:
             values.pop("window", None)
@@ -136,18 +136,18 @@ def text(
     # What is proposed for channels of one name alone; of overrides only the first applies.
     proposed: dict[str, dict[str, tuple[Any, str]]] = {}
     for name, _, of_channels, _ in _unsaid(seen, settings):
-        for channel, one in of_channels.items():
-            proposed.setdefault(channel, {})[name] = one.value, one.reason
+        for channel, suggestion in of_channels.items():
+            proposed.setdefault(channel, {})[name] = suggestion.value, suggestion.reason
     if _proposes_window(settings) and choices is None:  # which have windows of their own
-        for channel, one in seen.proposal.windows.items():
-            proposed.setdefault(channel, {})["window"] = one.value, one.reason
+        for channel, suggestion in seen.proposal.windows.items():
+            proposed.setdefault(channel, {})["window"] = suggestion.value, suggestion.reason
     if choices is not None:
-        own = {
-            (row["asset"], row["channel"]): {name: value for name, (value, _) in said_own.items()}
+        extra = {
+            (row["asset"], row["channel"]): {name: value for name, (value, _) in proposals.items()}
             for row in choices
-            if (said_own := proposed.get(row["channel"]))
+            if (proposals := proposed.get(row["channel"]))
         }
-        lines += groups(choices, seen.job, seen.job.parameters.window, own)
+        lines += groups(choices, seen.job, seen.job.parameters.window, extra)
     elif len(rules) > 1:
         # The first override that names a channel is the only one: what is proposed for it goes along.
         for (asset, channel), values, why in rules:
@@ -158,8 +158,8 @@ def text(
                 entries = {**named, **proposed.get(name, {}), **taken}
                 lines += ["", "[[override]]", *toml_text.entries(entries)]
     else:
-        for channel, said_own in proposed.items():
-            entries = {"channel": (channel, ""), **said_own}
+        for channel, proposals in proposed.items():
+            entries = {"channel": (channel, ""), **proposals}
             lines += ["", "[[override]]", *toml_text.entries(entries)]
     lines += ["", "[calibration]", *calibration_lines(settings.calibration)]
     return "\n".join(lines) + "\n"
@@ -172,7 +172,7 @@ def _unsaid(seen: Seen, settings: Settings) -> list[tuple[str, Any, Mapping[str,
         ("max_gap", proposal.max_gap, proposal.gaps, "no limit, since no pause was found"),
         ("still_after", proposal.still, proposal.stills, never),
     )
-    return [one for one in every if one[0] not in settings.parameters]
+    return [row for row in every if row[0] not in settings.parameters]
 
 
 def _proposes_window(settings: Settings) -> bool:
@@ -185,7 +185,11 @@ def _settled(seen: Seen, settings: Settings) -> Seen:
     changed: dict[str, Any] = {}
     if _proposes_window(settings) and seen.proposal.window is not None:
         changed = {"window": seen.proposal.window, "stride": None}
-    changed |= {name: one.value for name, one, *_ in _unsaid(seen, settings) if one is not None}
+    changed |= {
+        name: suggestion.value
+        for name, suggestion, *_ in _unsaid(seen, settings)
+        if suggestion is not None
+    }
     parameters = dataclasses.replace(seen.job.parameters, **changed)
     method = dataclasses.replace(seen.look.method, parameters=parameters.finest())
     look = dataclasses.replace(seen.look, method=method)
@@ -194,30 +198,30 @@ def _settled(seen: Seen, settings: Settings) -> Seen:
 
 
 def _source(seen: Seen, settings: Settings, folder: Path) -> dict[str, tuple[Any, str]]:
-    guess, known = seen.job.guess, settings_of(SourceSettings)
+    guess, fields = seen.job.guess, settings_of(SourceSettings)
     source = guess.source
     relation, database = source.relation, settings.source.database
-    placed = [_from(folder, one) for one in paths_of(relation)] if is_file(relation) else [relation]
-    said: dict[str, tuple[Any, str]] = {
-        "relation": (placed[0] if len(placed) == 1 else placed, "the telemetry")
+    paths = [_from(folder, path) for path in paths_of(relation)] if is_file(relation) else [relation]
+    entries: dict[str, tuple[Any, str]] = {
+        "relation": (paths[0] if len(paths) == 1 else paths, "the telemetry")
     }
     if database is not None and not is_file(relation):
-        said["database"] = (_from(folder, shown(database)), "the database that holds the table")
+        entries["database"] = (_from(folder, shown(database)), "the database that holds the table")
     columns: dict[str, Any] = {"asset": source.asset, "time": source.time}
     if isinstance(source, Source):
         columns |= {"channel": source.channel, "value": source.value}
     else:
-        said["layout"] = ("wide", known["layout"].what)
+        entries["layout"] = ("wide", fields["layout"].what)
         columns["channels"] = list(source.value_columns)
     for role, column in columns.items():
         if column is None:
-            said[role] = (False, f"there is no {known[role].what}")
+            entries[role] = (False, f"there is no {fields[role].what}")
         else:
-            said[role] = (column, known[role].what + (", guessed" if role in guess.guessed else ""))
-    said |= {name: (value, known[name].what) for name, value in source.written.items()}
+            entries[role] = (column, fields[role].what + (", guessed" if role in guess.guessed else ""))
+    entries |= {name: (value, fields[name].what) for name, value in source.written.items()}
     if settings.source.where is not None:
-        said["where"] = (settings.source.where, known["where"].what)
-    return said
+        entries["where"] = (settings.source.where, fields["where"].what)
+    return entries
 
 
 def _from(folder: Path, path: str) -> str:
@@ -229,19 +233,23 @@ def _from(folder: Path, path: str) -> str:
 
 def _parameters(seen: Seen, settings: Settings) -> dict[str, tuple[Any, str]]:
     parameters, proposal = seen.job.parameters, seen.proposal
-    found: dict[str, tuple[Any, str]] = {}
-    for name, one, own, never in _unsaid(seen, settings):
+    proposed: dict[str, tuple[Any, str]] = {}
+    for name, suggestion, by_channel, never in _unsaid(seen, settings):
         several = "none for all channels, see the overrides"
-        found[name] = (False, several if own else never) if one is None else (one.value, one.reason)
+        proposed[name] = (
+            (False, several if by_channel else never)
+            if suggestion is None
+            else (suggestion.value, suggestion.reason)
+        )
     if proposal.window is None or parameters.window == proposal.window:
-        found["window"] = (parameters.window, proposal.window_reason)
-    said: dict[str, tuple[Any, str]] = {}
+        proposed["window"] = (parameters.window, proposal.window_reason)
+    entries: dict[str, tuple[Any, str]] = {}
     steps = sorted(row["typical_step"] for row in seen.look.channels if row["typical_step"])
     for name, setting in settings_of(Parameters).items():
-        what, of, is_given = setting.what, getattr(parameters, name), name in settings.parameters
-        of, why = (of, "as given") if is_given else found.get(name, (of, "the default"))
-        if name == "tau" and steps and not is_given:
+        what, of, is_set = setting.what, getattr(parameters, name), name in settings.parameters
+        of, why = (of, "as given") if is_set else proposed.get(name, (of, "the default"))
+        if name == "tau" and steps and not is_set:
             what += f" (usual step {spoken(steps[len(steps) // 2], seen.look.kind)})"
-        if name != "stride" or is_given:
-            said[name] = (False if of is None else of, f"{what}: {why}")
-    return said
+        if name != "stride" or is_set:
+            entries[name] = (False if of is None else of, f"{what}: {why}")
+    return entries

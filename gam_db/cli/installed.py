@@ -22,8 +22,8 @@ def lines() -> Iterator[str]:
     yield f"gam-db is in {Path(__file__).parents[1]}"
     extras: dict[str, list[str]] = {}
     for required in _required():
-        if found := _REQUIRED.fullmatch(required):
-            extras.setdefault(found[1], []).append(found[2] or "")
+        if match := _REQUIRED.fullmatch(required):
+            extras.setdefault(match[1], []).append(match[2] or "")
     for library, names in extras.items():
         wanted = [name for name in names if name not in _OF_WORK]
         if wanted:

@@ -44,8 +44,8 @@ class Job:
 
     def study(self, session: Session, on_step: Listener, short_cuts: bool = True) -> Study:
         """Return what does it; without short cuts for who asks for single vectors of calibration."""
-        asked = (self.guess.source, self.parameters, self.calibration)
-        return Study(session, *asked, on_step=on_step, short_cuts=short_cuts)
+        arguments = (self.guess.source, self.parameters, self.calibration)
+        return Study(session, *arguments, on_step=on_step, short_cuts=short_cuts)
 
     @property
     def settings(self) -> str:
@@ -54,8 +54,8 @@ class Job:
 
     def lines(self) -> list[str]:
         """Return which columns are read, which of them were guessed, and by what method."""
-        given = {name: getattr(self.parameters, name) for name in settings_of(Parameters)}
-        method = [f"{name}={value}" for name, value in given.items() if value is not None]
+        values = {name: getattr(self.parameters, name) for name in settings_of(Parameters)}
+        method = [f"{name}={value}" for name, value in values.items() if value is not None]
         if self.parameters.overrides:
             method.append(f"{len(self.parameters.overrides)} overrides")
         healthy = healthy_part(self.calibration)
@@ -87,8 +87,8 @@ class Job:
         is_long = isinstance(source, Source)
         of = ("channel", "value") if is_long else ("channels",)
         overrides = [
-            {"asset": one.asset, "channel": one.channel, **one.changes()}
-            for one in self.parameters.overrides
+            {"asset": override.asset, "channel": override.channel, **override.changes()}
+            for override in self.parameters.overrides
         ]
         return {
             "source": {
@@ -138,13 +138,13 @@ def healthy_part(calibration: Calibration) -> str:
         healthy = f"the first {calibration.duration} of each channel"
     else:
         healthy = number_of(len(calibration.intervals or ()), "interval")
-    if own := [printable(pattern) for pattern in calibration.overrides]:
-        healthy += f", but for {some(own)}"
+    if patterns := [printable(pattern) for pattern in calibration.overrides]:
+        healthy += f", but for {some(patterns)}"
     if calibration.pool is not None:
         rules = dict(calibration.cases)
         teachers = [printable(name) for name, rule in rules.items() if rule is not None]
         is_named = any(
-            rules.get(one, calibration) is None for group in calibration.pools for one in group
+            rules.get(pattern, calibration) is None for group in calibration.pools for pattern in group
         )
         healthy += ", pooled" + (f", taught by {some(teachers)} only" if is_named and teachers else "")
     return healthy
@@ -174,15 +174,17 @@ def watched(
     """Return the monitor that is meant, to read a relation where one is named, and its row."""
     migrations.require(session, settings.monitor.tables)
     state = State(session, settings.monitor.tables)
-    known = state.monitor(settings.monitor.name)
+    monitor_row = state.monitor(settings.monitor.name)
     relation = folder_or_table(relation, session)
-    source = source_of(known, channels_of(state, known), relation)
+    source = source_of(monitor_row, channels_of(state, monitor_row), relation)
     # What is ahead is a question of each run, not of the monitor.
     source = replace(source, clock_tolerance=settings.source.clock_tolerance)
-    return Monitor(session, source, asked=settings.alarms, **vars(settings.monitor)), known
+    return Monitor(
+        session, source, alarm_settings=settings.alarms, **vars(settings.monitor)
+    ), monitor_row
 
 
-def channels_of(state: State, known: Row) -> list[str]:
+def channels_of(state: State, monitor_row: Row) -> list[str]:
     """Return the names of a monitor's channels, as often as there are assets with such."""
-    channels = state.fetch("stored/state/known_channels", {"monitor_id": known["monitor_id"]})
+    channels = state.fetch("stored/state/known_channels", {"monitor_id": monitor_row["monitor_id"]})
     return [str(name) for name in channels["channel"].to_pylist()]

@@ -70,11 +70,11 @@ def run(
         if others is not None:
             raise wrong("report_of_an_estimator", own=DSE)
     results = [] if no_out else results_of(relation, settings.source.database, out, every, estimator)
-    written = [str(one) for one in (*results, *([] if report is None else [report]))]
+    written = [str(output) for output in (*results, *([] if report is None else [report]))]
     shows: Callable[[page.Out], None]
     files, everything = [result.path for result in results], common.everything
-    is_own = any(_is_same(one, settings.source.database) for one in files)
-    opened = connect(settings.source.database, common.threads, is_own, files)
+    is_writable = any(_is_same(path, settings.source.database) for path in files)
+    opened = connect(settings.source.database, common.threads, is_writable, files)
     with interruptible(), opened as session:
         with Progress(session, common.quiet) as progress:
             job = job_of(session, settings, relation)
@@ -82,19 +82,19 @@ def run(
             if others is None:
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 summary = summarised(study, job, settings.alarms, longest)
-                urgent, lacking, told = summary.needs_attention, summary.lacks_data, summary.figures()
+                urgent, lacking, figures = summary.needs_attention, summary.lacks_data, summary.figures()
                 shows = partial(summary.show, everything=everything, shown_in=shown_in)
             else:
                 others.add_estimator(study, estimator)
                 rows, urgent = study.rows("last_scores"), False
-                told = {"estimator": estimator, "channels": rows}
-                asked = {"estimator": estimator, "rows": rows, "everything": everything}
-                shows = partial(others.show_scores, job=job, **asked)
-                told["ahead"], lacking = ahead_of(study), bool(study.ahead)
+                figures = {"estimator": estimator, "channels": rows}
+                arguments = {"estimator": estimator, "rows": rows, "everything": everything}
+                shows = partial(others.show_scores, job=job, **arguments)
+                figures["ahead"], lacking = ahead_of(study), bool(study.ahead)
         if not (common.as_json or common.quiet):
             shows(page.console())
             if others is not None:
-                ahead = ahead_sentences(study.ahead, len(told["channels"]), study.clock)
+                ahead = ahead_sentences(study.ahead, len(figures["channels"]), study.clock)
                 page.say(page.console(), *ahead)
         with Progress(session, common.quiet) as progress:
             for result in results:
@@ -106,17 +106,17 @@ def run(
                 page_of(job.guess.source, method, report, wishes, progress.on_step)
 
     def show_written(lines: page.Out) -> None:
-        for one in written:
-            lines.print(f"written: {printable(one)}", soft_wrap=True)
+        for output in written:
+            lines.print(f"written: {printable(output)}", soft_wrap=True)
 
     page.tell(
-        {**job.figures(), **told, "written": written}, show_written, common, urgent, lacking=lacking
+        {**job.figures(), **figures, "written": written}, show_written, common, urgent, lacking=lacking
     )
 
 
 def _others(estimator: str) -> Any:
     try:
-        others = next(found.load() for found in entry_points(group="gam_db.estimators"))
+        others = next(entry.load() for entry in entry_points(group="gam_db.estimators"))
     except (StopIteration, ModuleNotFoundError) as error:
         raise wrong("estimator_of_laboratory", estimator=estimator, own=DSE) from error
     return others
@@ -157,26 +157,28 @@ def results_of(
         raise wrong("out_of_another_kind", path=path)
     if not path.parent.is_dir():
         raise ConfigurationError(f"--out is {path}; the folder {path.parent} is not there.")
-    for one in paths:
-        if not os.access(one if one.exists() else one.parent, os.W_OK):
-            raise ConfigurationError(f"--out is {path}; you may not write {one}.")
+    for target in paths:
+        if not os.access(target if target.exists() else target.parent, os.W_OK):
+            raise ConfigurationError(f"--out is {path}; you may not write {target}.")
     if out is None and not _is_database(path):
         _check_theirs(path, relation)
     results = [
-        Result(step, one, f"gam_{table}")
-        for (step, table), one in zip(steps.items(), paths[: len(steps)], strict=True)
+        Result(step, target, f"gam_{table}")
+        for (step, table), target in zip(steps.items(), paths[: len(steps)], strict=True)
     ]
     if _is_same(path, database) and _is_database(path):
         # Tables are made beside those that are read.
-        if str(relation).casefold().rpartition(".")[2] in {one.table for one in results}:
+        if str(relation).casefold().rpartition(".")[2] in {result.table for result in results}:
             raise ConfigurationError(
                 f"{relation} would be overwritten while it is read; give another --out."
             )
         return results
-    read = {Path(one).resolve() for one in (*paths_of(relation), database) if one is not None}
-    for one in paths:
-        if one.resolve() in read and not (isinstance(relation, tuple) and _made_from(one)):
-            raise ConfigurationError(f"{one} would be overwritten while it is read; give another --out.")
+    read = {Path(source).resolve() for source in (*paths_of(relation), database) if source is not None}
+    for target in paths:
+        if target.resolve() in read and not (isinstance(relation, tuple) and _sources_of(target)):
+            raise ConfigurationError(
+                f"{target} would be overwritten while it is read; give another --out."
+            )
     return results
 
 
@@ -189,21 +191,21 @@ def _check_theirs(path: Path, relation: Any) -> None:
 
     Results may be replaced where all that they were made from is read again.
     """
-    of = _made_from(path)
-    read = [Path(os.path.abspath(one)) for one in paths_of(relation)]
-    read = [one.parent if "*" in one.name else one for one in read]
-    is_theirs = not all(any(map(Path(one).is_relative_to, read)) for one in of.split(";"))
+    of = _sources_of(path)
+    read = [Path(os.path.abspath(source)) for source in paths_of(relation)]
+    read = [source.parent if "*" in source.name else source for source in read]
+    is_theirs = not all(any(map(Path(source).is_relative_to, read)) for source in of.split(";"))
     if of and is_file(relation) and is_theirs:
         raise wrong("results_of_another", path=path, of=of)
 
 
-def _made_from(path: Path) -> str:
+def _sources_of(path: Path) -> str:
     """Return what a file of results was made from; empty where there is none, or it is none of ours."""
     try:
-        said = parquet.read_metadata(path).metadata or {}
+        metadata = parquet.read_metadata(path).metadata or {}
     except (OSError, ArrowInvalid):
         return ""
-    return str(said.get(SOURCE_MARK.encode(), b"").decode())
+    return str(metadata.get(SOURCE_MARK.encode(), b"").decode())
 
 
 def _stem(relation: Any) -> str:
@@ -214,7 +216,7 @@ def _stem(relation: Any) -> str:
     """
     name = relation
     if is_file(relation):
-        signs = zip(*(Path(one).name for one in paths_of(relation)), strict=False)
+        signs = zip(*(Path(path).name for path in paths_of(relation)), strict=False)
         name = "".join(first for first, *others in takewhile(lambda at: len({*at}) == 1, signs))
     for ending in sorted(FILE_ENDINGS, key=len, reverse=True):
         if name.lower().endswith(ending):

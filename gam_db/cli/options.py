@@ -35,10 +35,10 @@ SHOWN = 40
 _PANELS = data.table("gam_db.cli", "words.toml")["panels"]
 
 #: Every setting that is an option, with the section of gam.toml that it stands in.
-_KNOWN: Mapping[str, tuple[str, Setting]] = {
-    name: (section, one)
+_FIELDS: Mapping[str, tuple[str, Setting]] = {
+    name: (section, field)
     for section, of in SECTIONS.items()
-    for name, one in settings_of(of).items()
+    for name, field in settings_of(of).items()
     if name not in ("relation", "database", "channels")
 }
 
@@ -48,7 +48,7 @@ BY_ASSET = tuple(name for name in settings_of(Calibration) if name not in ("pool
 #: Options of commands that read a source, and of commands that work with the state.
 READ = tuple(
     name
-    for name, (section, _) in _KNOWN.items()
+    for name, (section, _) in _FIELDS.items()
     if section not in ("alarms", "monitor") and name != "time_kind"
 )
 ALARMS = ("rate", "family")
@@ -62,25 +62,25 @@ def option(path: str, default: Any = None, **words: str) -> Any:
 
     What is said of it is in ``options.toml`` by its path there, as ``run.out``; words are filled in.
     """
-    names, said = _told(path, words)
-    return typer.Option(default, *names, **said)
+    names, keywords = _described(path, words)
+    return typer.Option(default, *names, **keywords)
 
 
 def argument(path: str, default: Any = ..., **words: str) -> Any:
     """Return an argument of a command, likewise."""
-    _, said = _told(path, words)
-    return typer.Argument(default, show_default=False, **said)
+    _, keywords = _described(path, words)
+    return typer.Argument(default, show_default=False, **keywords)
 
 
-def _told(path: str, words: Mapping[str, str]) -> tuple[list[str], dict[str, Any]]:
+def _described(path: str, words: Mapping[str, str]) -> tuple[list[str], dict[str, Any]]:
     """Return the names of an option or an argument, and what else is said of it."""
     command, _, name = path.partition(".")
-    said = data.table("gam_db.cli", "options.toml")[command][name]
-    named = said.get("named", "").split()
+    entry = data.table("gam_db.cli", "options.toml")[command][name]
+    named = entry.get("named", "").split()
     metavar = " ".join(word for word in named if not word.startswith("-")) or None
-    more = {"help": said["what"].format(**words), "rich_help_panel": said.get("panel")}
+    more = {"help": entry["what"].format(**words), "rich_help_panel": entry.get("panel")}
     names = [word for word in named if word.startswith("-")]
-    return names, {"metavar": metavar, **more, **({"min": said["min"]} if "min" in said else {})}
+    return names, {"metavar": metavar, **more, **({"min": entry["min"]} if "min" in entry else {})}
 
 
 @dataclass(frozen=True)
@@ -106,17 +106,17 @@ class Common:
 #: What commands that print a page take of it.
 PAGE = ("everything", "as_json", "quiet")
 
-_OF_COMMON = {name: ("common", one) for name, one in settings_of(Common).items()}
+_OF_COMMON = {name: ("common", field) for name, field in settings_of(Common).items()}
 
 
-def _typer(name: str, section: str, one: Setting, *default: Any) -> Any:
+def _typer(name: str, section: str, field: Setting, *default: Any) -> Any:
     panel = "Output" if section == "common" and name != "threads" else _PANELS.get(section)
-    names, metavar = _option(name, one), one.metavar or one.takes.metavar
-    return typer.Option(*default, *names, help=one.help, metavar=metavar, rich_help_panel=panel)
+    names, metavar = _option(name, field), field.metavar or field.takes.metavar
+    return typer.Option(*default, *names, help=field.help, metavar=metavar, rich_help_panel=panel)
 
 
-def _option(name: str, one: Setting) -> list[str]:
-    return (one.option or f"--{name.replace('_', '-')}").split()
+def _option(name: str, field: Setting) -> list[str]:
+    return (field.option or f"--{name.replace('_', '-')}").split()
 
 
 Threads = Annotated[int | None, _typer("threads", *_OF_COMMON["threads"])]
@@ -135,43 +135,55 @@ def taking(
     SOURCE, and with ``fresh`` there is no settings file; with ``state`` the database holds the state,
     else it is only read (but by a command's own --state).
     """
-    taken = {name: {**_KNOWN, **_OF_COMMON}[name] for name in names if name not in but}
+    taken = {name: {**_FIELDS, **_OF_COMMON}[name] for name in names if name not in but}
 
     def decorated(command: Callable[..., Any]) -> Callable[..., None]:
-        own = dict(inspect.signature(command, eval_str=True).parameters)
-        del own["settings"]
-        passed = own.pop("relation", None) is not None
-        named = {name: one.annotation for name, one in own.items()}
+        of_command = dict(inspect.signature(command, eval_str=True).parameters)
+        del of_command["settings"]
+        passed = of_command.pop("relation", None) is not None
+        named = {name: parameter.annotation for name, parameter in of_command.items()}
         classes: dict[str, Any] = {name: of for name, of in named.items() if is_dataclass(of)}
-        own = {name: one for name, one in own.items() if name not in classes}
-        known = dict(taken)
+        of_command = {name: parameter for name, parameter in of_command.items() if name not in classes}
+        fields = dict(taken)
         for section, of in classes.items():
             if of is not Common:
-                known |= {name: (section, one) for name, one in settings_of(of).items()}
+                fields |= {name: (section, field) for name, field in settings_of(of).items()}
         read = argument("shared.source", None)
         parameters = [
-            *(one for one in own.values() if isinstance(one.default, ArgumentInfo)),
+            *(
+                parameter
+                for parameter in of_command.values()
+                if isinstance(parameter.default, ArgumentInfo)
+            ),
             *([_parameter("relation", list[str] | None, read)] if source else []),
             _parameter("database", str | None, option(f"shared.{'of_state' if state else 'read_only'}")),
             *([] if fresh else [_parameter("config", Path | None, option("shared.config"))]),
-            *(made for name, (section, one) in known.items() for made in _options(name, section, one)),
-            *([_parameter("paper", bool, option("shared.paper", False))] if "m" in known else []),
-            *(one for one in own.values() if not isinstance(one.default, ArgumentInfo)),
+            *(
+                parameter
+                for name, (section, field) in fields.items()
+                for parameter in _options(name, section, field)
+            ),
+            *([_parameter("paper", bool, option("shared.paper", False))] if "m" in fields else []),
+            *(
+                parameter
+                for parameter in of_command.values()
+                if not isinstance(parameter.default, ArgumentInfo)
+            ),
         ]
-        parameters = [one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for one in parameters]
+        parameters = [parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY) for parameter in parameters]
 
         @functools.wraps(command)
-        def called(**given: Any) -> None:
-            mine = {name: given.pop(name) for name in own}
+        def called(**arguments: Any) -> None:
+            mine = {name: arguments.pop(name) for name in of_command}
             if passed:
-                mine["relation"] = one_or_more(given["relation"])
-            said = _said(given, known)
-            mine |= {name: of(**said.pop(name, {})) for name, of in classes.items()}
-            laid = _laid(said, given, state or mine.get("state", False), fresh)
+                mine["relation"] = as_relation(arguments["relation"])
+            sections = _by_section(arguments, fields)
+            mine |= {name: of(**sections.pop(name, {})) for name, of in classes.items()}
+            laid = _laid(sections, arguments, state or mine.get("state", False), fresh)
             command(settings=laid, **mine)
 
         called.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-        called.__annotations__ = {one.name: one.annotation for one in parameters}
+        called.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
         return called
 
     return decorated
@@ -185,44 +197,50 @@ def _parameter(name: str, of: Any, about: Any) -> inspect.Parameter:
     return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=about, annotation=of)
 
 
-def _options(name: str, section: str, one: Setting) -> Iterator[inspect.Parameter]:
+def _options(name: str, section: str, field: Setting) -> Iterator[inspect.Parameter]:
     """Yield the option of a setting, and the one that says there is none."""
-    kind = one.takes
+    kind = field.takes
     of, default = (bool, False) if kind.option is bool else (kind.option | None, None)
     if section == "calibration" and name in BY_ASSET:
         of = list[str] | None
-    yield _parameter(name, of, _typer(name, section, one, default))
-    if kind.none and one.off is not None:
-        said = f"{one.off[1][0].upper()}{one.off[1][1:]}."
-        none = typer.Option(False, f"--no-{name}", help=said, rich_help_panel=_PANELS[section])
+    yield _parameter(name, of, _typer(name, section, field, default))
+    if kind.none and field.off is not None:
+        help_text = f"{field.off[1][0].upper()}{field.off[1][1:]}."
+        none = typer.Option(False, f"--no-{name}", help=help_text, rich_help_panel=_PANELS[section])
         yield _parameter(f"no_{name}", bool, none)
 
 
-def _said(given: dict[str, Any], known: Mapping[str, tuple[str, Setting]]) -> dict[str, dict[str, Any]]:
+def _by_section(
+    arguments: dict[str, Any], fields: Mapping[str, tuple[str, Setting]]
+) -> dict[str, dict[str, Any]]:
     """Return what the options say, by section and name; only what was said."""
-    said: dict[str, dict[str, Any]] = {section: {} for section in SECTIONS}
-    own = _by_asset(given)
-    for name, (section, one) in known.items():
-        value = given.get(name)
-        is_said = not (value is None or value is False or value == [])
-        if given.get(f"no_{name}") and one.off is not None:
-            if is_said:
+    sections: dict[str, dict[str, Any]] = {section: {} for section in SECTIONS}
+    overrides = _by_asset(arguments)
+    for name, (section, field) in fields.items():
+        value = arguments.get(name)
+        is_set = not (value is None or value is False or value == [])
+        if arguments.get(f"no_{name}") and field.off is not None:
+            if is_set:
                 raise wrong("option_and_its_no", name=name)
-            said[section][name] = one.off[0]
-        elif is_said:
-            said.setdefault(section, {})[name] = one.of_option(_option(name, one)[0], value)
-    if own:
-        said["calibration"]["overrides"] = own
-    if given.get("paper"):
-        said["parameters"] = {**Parameters.PAPER, **said["parameters"]}
-    return said
+            sections[section][name] = field.off[0]
+        elif is_set:
+            sections.setdefault(section, {})[name] = field.of_option(_option(name, field)[0], value)
+    if overrides:
+        sections["calibration"]["overrides"] = overrides
+    if arguments.get("paper"):
+        sections["parameters"] = {**Parameters.PAPER, **sections["parameters"]}
+    return sections
 
 
 def _laid(
-    said: dict[str, dict[str, Any]], given: Mapping[str, Any], state: bool, fresh: bool
+    sections: dict[str, dict[str, Any]], arguments: Mapping[str, Any], state: bool, fresh: bool
 ) -> Settings:
     """Return the settings of the file with what options say laid over them."""
-    relation, database, columns = one_or_more(given.get("relation")), given["database"], said["source"]
+    relation, database, columns = (
+        as_relation(arguments.get("relation")),
+        arguments["database"],
+        sections["source"],
+    )
     _check_layout(columns)
     if relation is not None:
         columns["relation"] = relation
@@ -230,61 +248,67 @@ def _laid(
         database = os.environ.get(VARIABLE)
     if database or (is_file(relation) and not state):
         columns["database"] = database or None
-    settings = Settings() if fresh else config.load(given["config"]).for_source(relation)
-    if "overrides" in said["calibration"]:
+    settings = Settings() if fresh else config.load(arguments["config"]).for_source(relation)
+    if "overrides" in sections["calibration"]:
         # What an option says of a pattern goes before what the file says of it, and is asked first.
-        own, of_file = said["calibration"]["overrides"], settings.calibration.get("overrides", {})
-        said["calibration"]["overrides"] = own | {
-            name: of for name, of in of_file.items() if name not in own
+        of_options, of_file = (
+            sections["calibration"]["overrides"],
+            settings.calibration.get("overrides", {}),
+        )
+        sections["calibration"]["overrides"] = of_options | {
+            name: of for name, of in of_file.items() if name not in of_options
         }
-    return settings.under(**said)
+    return settings.under(**sections)
 
 
-def one_or_more(given: Sequence[str] | None) -> str | tuple[str, ...] | None:
+def as_relation(sources: Sequence[str] | None) -> str | tuple[str, ...] | None:
     """Return the SOURCE that was given: None, one, or the files and folders of a list."""
-    return given[0] if given and len(given) == 1 else tuple(map(as_folder, given or ())) or None
+    return sources[0] if sources and len(sources) == 1 else tuple(map(as_folder, sources or ())) or None
 
 
-def _by_asset(given: dict[str, Any]) -> dict[str, Calibration | None]:
-    """Return the calibration of each asset that options name; what is for all stays in ``given``.
+def _by_asset(arguments: dict[str, Any]) -> dict[str, Calibration | None]:
+    """Return the calibration of each asset that options name; what is for all stays in ``arguments``.
 
     An asset comes before patterns, which would hide it: the first that matches applies.
     """
-    own: dict[str, dict[str, Any]] = {}
+    rules: dict[str, dict[str, Any]] = {}
     for name in BY_ASSET:
-        one, said = settings_of(Calibration)[name], dict[str, list[str]]()
-        for text in given.get(name) or []:
+        field, by_asset = settings_of(Calibration)[name], dict[str, list[str]]()
+        for text in arguments.get(name) or []:
             asset, _, value = text.rpartition("=")
-            said.setdefault(asset.strip(), []).append(value.strip())
-        values = {asset: _one_or_all(_option(name, one)[0], one, texts) for asset, texts in said.items()}
-        given[name] = values.pop("", None)
+            by_asset.setdefault(asset.strip(), []).append(value.strip())
+        values = {
+            asset: _read_texts(_option(name, field)[0], field, texts)
+            for asset, texts in by_asset.items()
+        }
+        arguments[name] = values.pop("", None)
         for asset, value in values.items():
-            own.setdefault(asset, {})[name] = value
-    ordered = sorted(own, key=lambda asset: "*" in asset or "?" in asset)
-    return {asset: _of_asset(asset, own[asset]) for asset in ordered}
+            rules.setdefault(asset, {})[name] = value
+    ordered = sorted(rules, key=lambda asset: "*" in asset or "?" in asset)
+    return {asset: _of_asset(asset, rules[asset]) for asset in ordered}
 
 
-def _one_or_all(option: str, one: Setting, texts: list[str]) -> Any:
+def _read_texts(option: str, field: Setting, texts: list[str]) -> Any:
     """Return what one option says of one asset, or of all: a list of texts, or one value."""
-    if one.takes.option == list[str]:
+    if field.takes.option == list[str]:
         return texts
     if len(texts) > 1:
         raise wrong("said_twice", option=option, values=" and ".join(texts))
     try:
-        return one.takes.option(texts[0])
+        return field.takes.option(texts[0])
     except ValueError:
         raise wrong("option_takes_a_number", option=option, text=texts[0]) from None
 
 
-def _of_asset(asset: str, said: Mapping[str, Any]) -> Calibration | None:
-    known = settings_of(Calibration)
-    if said.get("intervals") in (["false"], ["none"]) and len(said) == 1:
+def _of_asset(asset: str, rule: Mapping[str, Any]) -> Calibration | None:
+    fields = settings_of(Calibration)
+    if rule.get("intervals") in (["false"], ["none"]) and len(rule) == 1:
         return None
-    if not set(WAYS) & set(said):
-        option = _option(name := next(iter(said)), known[name])[0]
+    if not set(WAYS) & set(rule):
+        option = _option(name := next(iter(rule)), fields[name])[0]
         raise wrong("no_way_of_asset", option=option, asset=asset)
     return Calibration(
-        **{name: known[name].of_option(_option(name, known[name])[0], of) for name, of in said.items()}
+        **{name: fields[name].of_option(_option(name, fields[name])[0], of) for name, of in rule.items()}
     )
 
 
@@ -306,10 +330,10 @@ def named_relation(settings: Settings) -> str | tuple[str, ...]:
     if relation is None:
         raise wrong("no_source")
     if not isinstance(relation, str):
-        for one in relation:
-            _check_no_spreadsheet(one)
-            if not is_file(one):
-                raise wrong("several_are_files", one=one, names=", ".join(FILE_ENDINGS))
+        for path in relation:
+            _check_no_spreadsheet(path)
+            if not is_file(path):
+                raise wrong("several_are_files", one=path, names=", ".join(FILE_ENDINGS))
         return relation
     if database is None and Path(relation).is_dir():
         return str(as_folder(relation))

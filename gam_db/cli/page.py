@@ -83,11 +83,13 @@ def tell(
         raise typer.Exit(code)
 
 
-def print_json(said: Any) -> None:
+def print_json(figures: Any) -> None:
     """Print a value as JSON."""
-    text = json.dumps(plain(said), ensure_ascii=False, indent=1)
+    text = json.dumps(plain(figures), ensure_ascii=False, indent=1)
     # JSON lets signs stand that a terminal obeys: those beyond ASCII that cannot be printed.
-    print("".join(one if one.isprintable() or one == "\n" else json.dumps(one)[1:-1] for one in text))
+    print(
+        "".join(sign if sign.isprintable() or sign == "\n" else json.dumps(sign)[1:-1] for sign in text)
+    )
 
 
 def plain(value: Any) -> Any:
@@ -95,9 +97,9 @@ def plain(value: Any) -> Any:
     if isinstance(value, (pa.Table, np.generic)):
         return plain(value.to_pylist() if isinstance(value, pa.Table) else value.item())
     if isinstance(value, Mapping):
-        return {str(name): plain(one) for name, one in value.items()}
+        return {str(name): plain(part) for name, part in value.items()}
     if isinstance(value, (list, tuple, np.ndarray)):
-        return [plain(one) for one in value]
+        return [plain(part) for part in value]
     if isinstance(value, float):
         return float(value) if math.isfinite(value) else None
     if value is None or isinstance(value, (bool, int, str)):
@@ -105,7 +107,7 @@ def plain(value: Any) -> Any:
     if isinstance(value, (dt.date, dt.datetime)):
         return value.isoformat()
     if dataclasses.is_dataclass(value):
-        return plain({one.name: getattr(value, one.name) for one in dataclasses.fields(value)})
+        return plain({field.name: getattr(value, field.name) for field in dataclasses.fields(value)})
     return str(value)
 
 
@@ -130,10 +132,10 @@ def title(out: Console, text: str) -> None:
     out.print(Text(text, style="bold"))
 
 
-def notes(out: Console, said: Iterable[tuple[str, "str | Course"]]) -> None:
+def notes(out: Console, lines: Iterable[tuple[str, "str | Course"]]) -> None:
     """Print lines of prose, or courses, each behind a mark or a word."""
     grid = Table.grid(padding=(0, 1))
-    for mark, line in said:
+    for mark, line in lines:
         grid.add_row(Text(mark, _STYLES.get(mark, "")), Text(line) if isinstance(line, str) else line)
     _print(out, grid)
 
@@ -154,8 +156,8 @@ def table(
     """
     name, *_ = columns
     laid = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold", show_edge=False)
-    told = {heading: [cell(row, of) for row in rows] for heading, of in columns.items()}
-    for heading, cells in told.items():
+    by_heading = {heading: [cell(row, of) for row in rows] for heading, of in columns.items()}
+    for heading, cells in by_heading.items():
         if cells and isinstance(cells[0], Course):
             laid.add_column(heading, width=Course.least, ratio=1, no_wrap=True)
             laid.expand, laid.width = True, min(out.width, _WIDEST)
@@ -167,13 +169,13 @@ def table(
             laid.add_column(heading, min_width=min(longest, 12), overflow="fold")
         else:
             laid.add_column(heading, min_width=longest, justify="right", no_wrap=True)
-    for sign, named, *others in zip(map(mark, rows), *told.values(), strict=True):
+    for sign, named, *others in zip(map(mark, rows), *by_heading.values(), strict=True):
         first = Table.grid(Column(width=1), Column(overflow="fold"), padding=(0, 1, 0, 0))
         first.add_row(sign, Text(printable(named)))
         laid.add_row(first, *others, style=_STYLES.get(sign, ""))
     if spare and laid.__rich_measure__(out, out.options).minimum > out.width:
-        kept = {heading: of for heading, of in columns.items() if heading != spare[0]}
-        table(out, rows, kept, mark, left, spare[1:])
+        fewer = {heading: of for heading, of in columns.items() if heading != spare[0]}
+        table(out, rows, fewer, mark, left, spare[1:])
         return
     _print(out, laid)
 
@@ -218,9 +220,9 @@ def channels(
     last = when("last", time, rows, zone)
     spare = ("sees", *last)  # since when a signal is above comes before when its data ends
     table(out, rows, columns | last, marked, ("verdict", "bins"), spare)
-    known = [row for row in rows if row["course_from"] is not None and row["last_time"] is not None]
-    if known:
-        first, last = min(row["course_from"] for row in known), max(row["last_time"] for row in known)
+    timed = [row for row in rows if row["course_from"] is not None and row["last_time"] is not None]
+    if timed:
+        first, last = min(row["course_from"] for row in timed), max(row["last_time"] for row in timed)
         line = f"HI, 0 to 1: {spanned}, from {time_text(first, zone)} to {time_text(last, zone)}"
         if isinstance(first, dt.datetime):
             micros = (aware(last) - aware(first)) // dt.timedelta(microseconds=1)
@@ -247,29 +249,29 @@ def sees(row: Row) -> str | None:
     return None if row["sees"] is None else f"{row['sees']} %"
 
 
-def remarks(out: Console, said: Iterable[tuple[str, Iterable[str]]], everything: bool) -> None:
+def remarks(out: Console, by_channel: Iterable[tuple[str, Iterable[str]]], everything: bool) -> None:
     """Print what is said of some channels, each remark once, with the channels it is said of.
 
     Of several channels it is only said of how many there is more to say, unless everything is asked for.
     """
-    told = [(name, list(words)) for name, words in said]
-    if not (everything or len(told) == 1):  # one line for each channel is enough where there are several
-        if more := sum(any(not one.startswith(SEES) for one in words) for _, words in told):
+    listed = [(name, list(words)) for name, words in by_channel]
+    if not (everything or len(listed) == 1):  # of several channels, a line each is enough
+        if more := sum(any(not remark.startswith(SEES) for remark in words) for _, words in listed):
             say(out, f"of {more:,} there is more to say: --all")
         return
-    found: dict[str, list[str]] = {}
-    for name, words in told:
+    by_remark: dict[str, list[str]] = {}
+    for name, words in listed:
         for remark in words:
-            found.setdefault(remark, []).append(name)
-    if found:
+            by_remark.setdefault(remark, []).append(name)
+    if by_remark:
         out.print()
-        told_of = ((some(names, of=len(told)), remark) for remark, names in found.items())
-        notes(out, (("-", f"{names}: {remark}") for names, remark in told_of))
+        lines = ((some(names, of=len(listed)), remark) for remark, names in by_remark.items())
+        notes(out, (("-", f"{names}: {remark}") for names, remark in lines))
 
 
-def problems(out: Console, told: pa.Table, everything: bool) -> None:
+def problems(out: Console, problem_table: pa.Table, everything: bool) -> None:
     """Print data problems (:meth:`gam_db.Monitor.data_problems`), each with what to do."""
-    rows = told.to_pylist()
+    rows = problem_table.to_pylist()
     if not rows:
         return
     out.print(Text(f"data problems: {len(rows):,}", style="bold"))
@@ -281,8 +283,8 @@ def problems(out: Console, told: pa.Table, everything: bool) -> None:
 
 def name_in(rows: Sequence[Mapping[str, Any]]) -> Callable[[Mapping[str, Any]], str]:
     """Return what names a channel among others: without its asset, if it is the same for all."""
-    one_asset = len({row["asset"] for row in rows}) <= 1
-    return lambda row: printable(row["channel"] if one_asset else f"{row['asset']} {row['channel']}")
+    is_same_asset = len({row["asset"] for row in rows}) <= 1
+    return lambda row: printable(row["channel"] if is_same_asset else f"{row['asset']} {row['channel']}")
 
 
 def amount(rows: Sequence[Row], what: str = "channel") -> str:
@@ -300,14 +302,14 @@ def cut(
 ) -> None:
     """Say how many rows were left out of a table, if any were, and what is to be said of them."""
     if not everything and len(rows) > most:
-        said = words(rows[most:])
-        say(out, f"and {len(rows) - most:,} more{what}{f' ({said})' if said else ''}; --all")
+        tally = words(rows[most:])
+        say(out, f"and {len(rows) - most:,} more{what}{f' ({tally})' if tally else ''}; --all")
 
 
 def _tally(rows: Iterable[Row], of: str) -> str:
     """Return how many rows have which value of a column, in the words and the order of the table."""
     count = Counter(row[of] for row in rows)
-    return ", ".join(f"{count[name]:,} {said}" for name, said in WORDS[of].items() if count[name])
+    return ", ".join(f"{count[name]:,} {word}" for name, word in WORDS[of].items() if count[name])
 
 
 #: How many calibrations have which verdict.
@@ -317,8 +319,8 @@ verdicts = partial(_tally, of="verdict")
 def counted(rows: Iterable[Row]) -> str:
     """Return how many channels are what, the most urgent first; none far above its limit is ok."""
     far = {"status": "far above"}
-    said = (row | far if row["status"] == "ok" and row["is_far_above"] else row for row in rows)
-    return _tally(said, of="status")
+    shown = (row | far if row["status"] == "ok" and row["is_far_above"] else row for row in rows)
+    return _tally(shown, of="status")
 
 
 def unseen(rows: Sequence[Row]) -> list[str]:
@@ -339,11 +341,11 @@ def floors(rows: Sequence[Row]) -> dict[str, Cell]:
 
 def advice(supports: Sequence[Row]) -> list[str]:
     """Return what can be done for calibrations that are not good enough, a line each."""
-    said, lines = WORDS["advice"], []
+    texts, lines = WORDS["advice"], []
     if any(row["verdict"] == "no_data" for row in supports):
-        lines.append(said["no_data"])
+        lines.append(texts["no_data"])
     if short := sum(row["verdict"] == "needs_data" or is_short(row) for row in supports):
-        lines.append(said["short"].format(short=short, all=len(supports)))
+        lines.append(texts["short"].format(short=short, all=len(supports)))
     too_fine = (row for row in supports if row["verdict"] == "too_fine" and not is_short(row))
     if grids := [row["finest_bins"] for row in too_fine]:
         steps = [(bins, sum(other >= bins for other in grids)) for bins in sorted(set(grids))[::-1]]
@@ -351,14 +353,14 @@ def advice(supports: Sequence[Row]) -> list[str]:
             f"{bins} bins would do for {'all of them' if count == len(grids) else count}"
             for bins, count in steps
         )
-        lines.append(said["too_fine"].format(ladder=ladder))
+        lines.append(texts["too_fine"].format(ladder=ladder))
     return lines
 
 
 def legend(rows: Sequence[Row], everything: bool) -> str:
     """Return what the words of a page of channels mean, and no others."""
-    told = rows if everything or len(rows) == 1 else ()
-    remarks = " ".join(said for row in told for said in row["remarks"])
+    shown = rows if everything or len(rows) == 1 else ()
+    remarks = " ".join(remark for row in shown for remark in row["remarks"])
     return " ".join(of for word, of in WORDS["legend"].items() if word == "always" or word in remarks)
 
 

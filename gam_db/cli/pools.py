@@ -17,15 +17,15 @@ def lines(rows: Sequence[Row], calibration: Calibration) -> list[str]:
         rows: of channels, with asset, vouched_by and taught_by (see :func:`gam_db.support`).
         calibration: under which they were calibrated.
     """
-    said, found = page.WORDS["pools"], []
+    texts, sentences = page.WORDS["pools"], []
     teachers = calibration.teachers if calibration.pool is not None else ()
     assets = {row["asset"] for row in rows}
-    if teachers and not any(pattern_matches(one, asset) for one in teachers for asset in assets):
-        found.append(said["nobody"].format(teachers=page.some(list(map(printable, teachers)))))
+    if teachers and not any(pattern_matches(teacher, asset) for teacher in teachers for asset in assets):
+        sentences.append(texts["nobody"].format(teachers=page.some(list(map(printable, teachers)))))
     for words, is_alone in (("not_watched", True), ("judged", False)):
-        told = [row for row in rows if row["vouched_by"] and (row["vouched_by"] == 1) == is_alone]
-        if told:
-            by = page.some(sorted({printable(row["taught_by"]) for row in told}), 3)
+        vouched = [row for row in rows if row["vouched_by"] and (row["vouched_by"] == 1) == is_alone]
+        if vouched:
+            by = page.some(sorted({printable(row["taught_by"]) for row in vouched}), 3)
             all_of_them = number_of(len(rows), "channel")
-            found.append(said[words].format(count=len(told), all=all_of_them, teachers=by))
-    return found
+            sentences.append(texts[words].format(count=len(vouched), all=all_of_them, teachers=by))
+    return sentences

@@ -43,7 +43,7 @@ def report(
     with options.opened(settings, writable=False) as session, working(session, silent) as on_step:
         monitor, _ = watched(session, settings, settings.source.relation)
         figures = monitor.report(path, wishes, on_step)
-    page.tell(figures, lambda lines: told(lines, figures), common)
+    page.tell(figures, lambda lines: show_written(lines, figures), common)
 
 
 def checked(path: Path, option: str) -> Path:
@@ -72,7 +72,7 @@ def page_of(
         return monitor.report(path, wishes, on_step)
 
 
-def told(lines: page.Out, figures: Mapping[str, Any]) -> None:
+def show_written(lines: page.Out, figures: Mapping[str, Any]) -> None:
     """Print what was written."""
     counted = {f"all_{of}s": number_of(figures[f"{of}s"], of) for of in ("machine", "signal")}
     size = figures["bytes"] / 1e6

@@ -69,24 +69,24 @@ def score(
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
     session = options.opened(settings, common.threads, files=[] if copy_to is None else [copy_to])
     with working(session, common.quiet) as on_step:
-        relation = options.one_or_more(source)
-        monitor, known = watched(session, settings, relation)
-        kind = kind_of(known)
+        relation = options.as_relation(source)
+        monitor, monitor_row = watched(session, settings, relation)
+        kind = kind_of(monitor_row)
         run = monitor.score(**scope.of(kind), dry_run=dry_run, on_step=on_step)
-        asked = (monitor.state, settings.monitor.name)
+        stored = (monitor.state, settings.monitor.name)
         silence = settings.monitor.park_after
-        status, problems = (None, None) if dry_run else assessed(*asked, silence)
+        status, problems = (None, None) if dry_run else assessed(*stored, silence)
         if copy_to is not None:
             on_step(f"copying to {copy_to}")
             copy(session, monitor.tables, copy_to)
         # Only a settings file can say that channels are to be calibrated otherwise.
-        is_said = settings.parameters or settings.calibration or settings.overrides
+        has_settings = settings.parameters or settings.calibration or settings.overrides
         program = monitor.source.program
-        others = differing(*asked, *settings.method(), program) if is_said else []
+        others = differing(*stored, *settings.method(), program) if has_settings else []
     urgent = status is not None and need_attention(status.to_pylist())
     figures = {
         **place(settings),
-        "source": shown_relation(relation or relation_of(known)),
+        "source": shown_relation(relation or relation_of(monitor_row)),
         "dry_run": dry_run,
         **_figures(run, kind, status),
         **({} if status is None or problems is None else both_lists(status, problems)),
@@ -116,8 +116,8 @@ def score(
 def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
     """Return what --json prints of a run and of what is known after it; times as in the source."""
 
-    def told(rows: Sequence[Row], *times: str) -> list[Row]:
-        return [{**row, **{name: _told(row[name], kind) for name in times}} for row in rows]
+    def with_times(rows: Sequence[Row], *times: str) -> list[Row]:
+        return [{**row, **{name: _time_text(row[name], kind) for name in times}} for row in rows]
 
     of_channels = ["asset", "channel", "status", "hi", "hi_limit", "limit_reason", "last_time"]
     return {
@@ -126,8 +126,8 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
             "rows": sum(row["rows"] for row in run.ranges),
             "buckets": sum(row["buckets"] for row in run.channels),
         },
-        "ranges": told(run.ranges, "earliest"),
-        "channels": told(run.channels, "read_from", "read_to"),
+        "ranges": with_times(run.ranges, "earliest"),
+        "channels": with_times(run.channels, "read_from", "read_to"),
         "gone": [{"asset": asset, "channel": channel} for asset, channel in sorted(run.gone)],
         "parked": run.parked,
         "not_calibrated": [
@@ -136,11 +136,11 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
         ],
         "rows_without_name": run.nameless,
         "rows_without_time": run.undated,
-        "ahead": told(run.ahead, "ahead_to"),
+        "ahead": with_times(run.ahead, "ahead_to"),
         "rows_skipped_by_clock": {
             "rows": run.skipped,
-            "first": _told(run.first_skipped, kind),
-            "last": _told(run.last_skipped, kind),
+            "first": _time_text(run.first_skipped, kind),
+            "last": _time_text(run.last_skipped, kind),
         },
         "valid_when": {"held": run.held, "invalid": run.invalid},
         "status": [] if status is None else status.select(of_channels),
@@ -148,7 +148,7 @@ def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
     }
 
 
-def _told(tick: int | None, kind: TimeKind) -> int | str | None:
+def _time_text(tick: int | None, kind: TimeKind) -> int | str | None:
     if tick is None or tick <= LONG_AGO:
         return None
     return tick if kind.is_counter else shown_instant(tick, kind)

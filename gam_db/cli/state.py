@@ -7,7 +7,7 @@ import typer
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.options import option
-from gam_db.clock import TimeKind, told_time
+from gam_db.clock import TimeKind, time_of
 from gam_db.engines import NAMES, engine_named
 from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row
@@ -46,33 +46,35 @@ def migrate(
         return
     with options.opened(settings, writable=not status, must_exist=False) as session:
         done = () if status else migrations.migrate(session, tables)
-        found = migrations.status(session, tables)
+        schema_status = migrations.status(session, tables)
 
     def show(out: page.Out) -> None:
         if status:
-            _show_migrations(out, tables, found)
+            _show_migrations(out, tables, schema_status)
         elif done:
-            applied = ", ".join(f"{one.number} {one.name}" for one in done)
+            applied = ", ".join(f"{migration.number} {migration.name}" for migration in done)
             out.print(printable(f"{tables}*: applied {applied}"), soft_wrap=True)
         else:
-            page.say(out, f"{tables}*: up to date, {len(found.applied)} migrations")
+            page.say(out, f"{tables}*: up to date, {len(schema_status.applied)} migrations")
 
     figures = {
         "schema": tables.schema,
         "prefix": tables.prefix,
-        "applied": found.applied,
-        "applied_now": [one.number for one in done],
-        "pending": [{"number": one.number, "name": one.name} for one in found.pending],
+        "applied": schema_status.applied,
+        "applied_now": [migration.number for migration in done],
+        "pending": [
+            {"number": migration.number, "name": migration.name} for migration in schema_status.pending
+        ],
     }
-    page.tell(figures, show, common, urgent=bool(found.pending))
+    page.tell(figures, show, common, urgent=bool(schema_status.pending))
 
 
-def _show_migrations(out: page.Out, tables: StateTables, found: Status) -> None:
+def _show_migrations(out: page.Out, tables: StateTables, schema_status: Status) -> None:
     rows = []
-    for one in found.applied:
-        when = page.time_text(told_time(one.applied_at, TimeKind.TIMESTAMP), named=True)
-        rows.append(vars(one) | {"when": when, "by": f"gam-db {one.gam_version}"})
-    rows += [vars(one) | {"when": "pending", "by": ""} for one in found.pending]
+    for migration in schema_status.applied:
+        when = page.time_text(time_of(migration.applied_at, TimeKind.TIMESTAMP), named=True)
+        rows.append(vars(migration) | {"when": when, "by": f"gam-db {migration.gam_version}"})
+    rows += [vars(migration) | {"when": "pending", "by": ""} for migration in schema_status.pending]
     columns: dict[str, page.Cell] = {
         "number": lambda row: str(row["number"]),
         "migration": "name",
@@ -80,8 +82,8 @@ def _show_migrations(out: page.Out, tables: StateTables, found: Status) -> None:
         "by": "by",
     }
     page.table(out, rows, columns, left=("migration", "applied", "by"))
-    pending = f"{len(found.pending)} pending; run `gam migrate`"
-    page.say(out, f"{tables}*: {pending if found.pending else 'up to date'}")
+    pending = f"{len(schema_status.pending)} pending; run `gam migrate`"
+    page.say(out, f"{tables}*: {pending if schema_status.pending else 'up to date'}")
 
 
 _KINDS = dict(zip(COUNTED, ("buckets", "novel cells", "runs", "support"), strict=True))
@@ -103,10 +105,10 @@ def prune(
     Rows that nobody sees go, too: hidden by a later run, or left by one that was cut short. On engines
     without transactions (ClickHouse, Spark), where scoring only appends, nothing else removes them.
     """
-    said = settings.monitor
-    kept = said.keep, said.keep_novel, keep_versions, said.lookback
+    monitor = settings.monitor
+    lengths = monitor.keep, monitor.keep_novel, keep_versions, monitor.lookback
     with options.opened(settings) as session:
-        sizes = pruning.prune(State(session, said.tables), said.name, *kept, dry_run)
+        sizes = pruning.prune(State(session, monitor.tables), monitor.name, *lengths, dry_run)
     rows = sizes.to_pylist()
     words = {kind: f"rows of {word}" for kind, word in _KINDS.items()} | {"versions": "versions"}
     counts = {kind: sum(row[kind] - row[f"{kind}_after"] for row in rows) for kind in words}
@@ -125,7 +127,7 @@ def prune(
         deleted = f"{'would delete' if dry_run else 'deleted'}: {gone}"
         page.say(out, deleted if gone else "nothing to delete")
 
-    page.tell({"monitor": said.name, "dry_run": dry_run, "channels": rows}, show, common)
+    page.tell({"monitor": monitor.name, "dry_run": dry_run, "channels": rows}, show, common)
 
 
 @options.of_state("schema", "prefix")
@@ -138,7 +140,7 @@ def drop(
     """
     tables = settings.monitor.tables
     with options.opened(settings) as session:
-        found = dropping.removals(session, tables, name)
+        removals = dropping.removals(session, tables, name)
         if not yes:
             out = page.console()
             page.say(out, "This removes" if name is None else f"This removes, of monitor {name},")
@@ -146,11 +148,11 @@ def drop(
                 "table": lambda row: ".".join(part.name for part in row["table"].parts),
                 "rows": lambda row: "view" if row["rows"] is None else str(row["rows"]),
             }
-            page.table(out, list(map(vars, found)), columns)
+            page.table(out, list(map(vars, removals)), columns)
             _ask(str(tables) if name is None else name)
-        dropping.remove(session, found)
-    said = f"{tables}*" if name is None else f"monitor {name} from {tables}*"
-    print(f"removed: {printable(said)}")
+        dropping.remove(session, removals)
+    removed = f"{tables}*" if name is None else f"monitor {name} from {tables}*"
+    print(f"removed: {printable(removed)}")
 
 
 def _ask(expected: str) -> None:

@@ -38,7 +38,7 @@ def status(
         seen = stored_status.assessed(state, name, silence, shown_in=shown_in)
         proof = stored_status.proved(state, name)
         held = stored_status.validity(state, name)
-        found = stored_status.machines(state, name, seen.channels)
+        all_machines = stored_status.machines(state, name, seen.channels)
     if asset is not None:
         seen = seen.of_assets(asset)
         if not seen.channels.num_rows:
@@ -49,7 +49,7 @@ def status(
         proved = vars(proof) | {"proved_at": shown_instant(proof.proved_at, TimeKind.TIMESTAMP)}
         del proved["extent"]
     urgent = need_attention(channels.to_pylist())
-    machines = found.filter(pc.is_in(found["asset"], pc.unique(channels["asset"])))
+    machines = all_machines.filter(pc.is_in(all_machines["asset"], pc.unique(channels["asset"])))
     figures = {
         **place(settings),
         "proved": proved,
@@ -88,8 +88,8 @@ def _proof(proof: Proof | None, now: dt.datetime) -> str:
         return "the state was never compared with its source; gam check --state does it"
     age = instant(now, TimeKind.TIMESTAMP, "now") - proof.proved_at
     ago = shown_length(age, TimeKind.TIMESTAMP)
-    found = f"{proof.differences:,} differences" if proof.differences else "no difference"
-    return f"the state was last compared with its source {ago} ago: {found} (gam check --state)"
+    outcome = f"{proof.differences:,} differences" if proof.differences else "no difference"
+    return f"the state was last compared with its source {ago} ago: {outcome} (gam check --state)"
 
 
 def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:

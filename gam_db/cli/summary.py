@@ -78,14 +78,14 @@ class Summary:
 
     def figures(self) -> dict[str, Any]:
         """Return what ``gam run --json`` prints of the channels."""
-        found = self.channels
+        channels = self.channels
         return {
-            "channels": [{**row, "course": thinned(row["course"])} for row in found],
+            "channels": [{**row, "course": thinned(row["course"])} for row in channels],
             "machines": self.machines,
             "ended_episodes": self.ended,
-            "verdicts": Counter(row["verdict"] for row in found),
+            "verdicts": Counter(row["verdict"] for row in channels),
             "chosen": automatic.figures(self.siblings),
-            "judged_by_episode": sum(row["judged_by"] == "episode" for row in found),
+            "judged_by_episode": sum(row["judged_by"] == "episode" for row in channels),
             "needs_attention": self.needs_attention,
             **({} if self.job.guess.source.program is None else {"programs": self.programs}),
             "ahead": self.ahead,
@@ -168,15 +168,15 @@ def _name(relation: Any) -> str:
 
 def summarised(study: Study, job: Job, alarms: Alarms, longest: int | None = None) -> Summary:
     """Return what is found of a study; *longest* is as for :func:`findings`."""
-    found = findings(study, alarms, longest)
+    channels = findings(study, alarms, longest)
     ranked = study.table("ranked_machines").sort_by("machine_rank").to_pylist()
     machines = [{_MACHINE.get(name, name): value for name, value in row.items()} for row in ranked]
     ended = study.table("episodes").filter(pc.field("is_open") == 0).to_pylist()
     programs: list[Row] = []
     if study.method.programs is not None:  # by way of Arrow: instants may have a zone
         programs = study.table("program_summary").to_pylist()
-    sentences = ahead_sentences(study.ahead, len(found), study.clock)
-    return Summary(job, found, machines, ended, programs, study.siblings, ahead_of(study), sentences)
+    sentences = ahead_sentences(study.ahead, len(channels), study.clock)
+    return Summary(job, channels, machines, ended, programs, study.siblings, ahead_of(study), sentences)
 
 
 def ahead_of(study: Study) -> list[Row]:
@@ -188,7 +188,7 @@ def ahead_of(study: Study) -> list[Row]:
 def show(
     out: page.Out,
     job: Job,
-    found: Sequence[Row],
+    channels: Sequence[Row],
     everything: bool = False,
     shown_in: dt.tzinfo = dt.UTC,
     siblings: Sequence[Siblings] = (),
@@ -197,55 +197,55 @@ def show(
     ended: Sequence[Row] = (),
 ) -> None:
     """Print what was found of each channel, what calibration chose for siblings, and what it lacks."""
-    samples = sum(row["samples"] for row in found)
-    page.say(out, f"{printable(job.name)}: {page.amount(found)}, {samples:,} samples{job.settings}")
-    page.say(out, *pools.lines(found, job.calibration))
+    samples = sum(row["samples"] for row in channels)
+    page.say(out, f"{printable(job.name)}: {page.amount(channels)}, {samples:,} samples{job.settings}")
+    page.say(out, *pools.lines(channels, job.calibration))
     page.say(out, *job.lines())
     out.print()
-    shown = found if everything else found[: options.SHOWN]
+    shown = channels if everything else channels[: options.SHOWN]
     page.channels(out, shown, "last_time", "all that is scored", shown_in, everything)
-    page.cut(out, found, everything, page.counted)
+    page.cut(out, channels, everything, page.counted)
     out.print()
     if len(machines) > 1:
         of_machines.show(out, machines, shown_in, everything)
     page.say(out, *_ended(ended if everything else ended[: options.SHOWN], shown_in))
     page.cut(out, ended, everything, what=" episodes that ended")
-    page.say(out, f"verdicts: {page.verdicts(found)}")
-    judged = Counter(row["judged_by"] for row in found)
-    by = [(said, judged[name]) for name, said in _JUDGED_BY if judged[name]]
-    words = ", ".join(f"{said}: {count:,}" if len(by) > 1 else said for said, count in by)
-    page.say(out, f"channels: {page.counted(found)}{f'; judged by {words}' if words else ''}")
-    page.say(out, *of_machines.far_above(found))
-    page.say(out, *page.unseen(found))
+    page.say(out, f"verdicts: {page.verdicts(channels)}")
+    judged = Counter(row["judged_by"] for row in channels)
+    by = [(text, judged[name]) for name, text in _JUDGED_BY if judged[name]]
+    words = ", ".join(f"{text}: {count:,}" if len(by) > 1 else text for text, count in by)
+    page.say(out, f"channels: {page.counted(channels)}{f'; judged by {words}' if words else ''}")
+    page.say(out, *of_machines.far_above(channels))
+    page.say(out, *page.unseen(channels))
     lacking = of_programs.lines(programs)
     page.say(out, *(lacking if everything else lacking[: options.SHOWN]))
     page.cut(out, lacking, everything, what=" programs")
-    if silent := sum(row["silent"] for row in found):
+    if silent := sum(row["silent"] for row in channels):
         page.say(out, f"silent: {silent:,}")
     if job.parameters.is_open:
         page.say(out, *automatic.lines(siblings, everything))
-        taken = sorted(Counter(row["bins"] for row in found).items(), reverse=True)
+        taken = sorted(Counter(row["bins"] for row in channels).items(), reverse=True)
         page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")
-    page.say(out, *page.advice(found))
-    ends = [row["last_time"] for row in found if isinstance(row["last_time"], int)]
+    page.say(out, *page.advice(channels))
+    ends = [row["last_time"] for row in channels if isinstance(row["last_time"], int)]
     if ends and (unit := epoch_unit(min(ends), max(ends))):
         like = f"time looks like {SINCE_1970[unit][0]} since 1970, and is taken as a counter"
         page.say(out, f"{like}; --time-unit {unit} makes calendar time of it")
     if short := sum(
         row["hi_limit"] is not None and 0 < row["calibration_vectors"] < 8 * row["window"]
-        for row in found
+        for row in channels
     ):
         page.say(out, page.WORDS["run"]["short"].format(short=short))
     value = getattr(job.guess.source, "value", None)
     if beyond := sum(
         (value or row["channel"]) in job.exact
         and max(abs(row["calibrated_lo"] or 0), abs(row["calibrated_hi"] or 0)) >= EXACT_UP_TO
-        for row in found
+        for row in channels
     ):
         page.say(out, f"{number_of(beyond, 'channel')} of {SENTENCES['beyond']}")
-    if not (need_attention(found) or any(map(is_blind, found)) or lack_data(found) or lacking):
+    if not (need_attention(channels) or any(map(is_blind, channels)) or lack_data(channels) or lacking):
         page.say(out, "nothing needs attention")
-    page.say(out, page.legend(found, everything))
+    page.say(out, page.legend(channels, everything))
 
 
 def _ended(rows: Sequence[Row], zone: dt.tzinfo) -> Iterator[str]:

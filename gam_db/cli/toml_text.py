@@ -19,7 +19,7 @@ def value(of: Any) -> str:
     if isinstance(of, dt.date):
         return of.isoformat()
     if isinstance(of, Sequence) and not isinstance(of, str):
-        return f"[{', '.join(value(one) for one in of)}]"
+        return f"[{', '.join(value(part) for part in of)}]"
     # JSON's escapes are TOML's, but TOML wants DEL escaped, too.
     text = json.dumps(of, ensure_ascii=False).replace("\x7f", "\\u007f")
     try:
@@ -35,18 +35,18 @@ def comment(text: str) -> list[str]:
     return [f"# {line}" for line in textwrap.wrap(shown, _WIDTH - 2, break_on_hyphens=False)]
 
 
-def entries(said: Mapping[str, tuple[Any, str]], aside: Collection[str] = ()) -> list[str]:
+def entries(values: Mapping[str, tuple[Any, str]], aside: Collection[str] = ()) -> list[str]:
     """Return lines of ``key = value  # comment`` with the comments under one another.
 
     Args:
-        said: key -> (value, comment); a long comment goes before its line.
+        values: key -> (value, comment); a long comment goes before its line.
         aside: keys that are commented out.
     """
-    written = {key: f"{'# ' * (key in aside)}{key} = {value(of)}" for key, (of, _) in said.items()}
+    written = {key: f"{'# ' * (key in aside)}{key} = {value(of)}" for key, (of, _) in values.items()}
     column = max((len(line) for line in written.values() if len(line) <= 40), default=0)
     lines = []
     for key, line in written.items():
-        (_, remark) = said[key]
+        (_, remark) = values[key]
         beside = f"{line:{column}}  {' '.join(comment(remark))}"
         if not remark:
             lines.append(line)

@@ -68,8 +68,8 @@ def compile(
     engine = "duckdb" if engine is None else engine
     parameters, calibration = settings.method()
     if settings.source.database is None and engine_named(engine).reads_files:
-        placed = dataclasses.replace(settings.source, relation=as_folder(settings.source.relation))
-        settings = dataclasses.replace(settings, source=placed)
+        located = dataclasses.replace(settings.source, relation=as_folder(settings.source.relation))
+        settings = dataclasses.replace(settings, source=located)
     settings.source.check_conditions(engine_named(engine))
     source = described(settings, engine_named(engine).guard is not None)
     prefix = "gam_live_" if prefix is None else prefix
@@ -120,18 +120,24 @@ def described(settings: Settings, tells_zones: bool = False) -> AnySource:
     return dataclasses.replace(source, time_kind=kind.value)
 
 
-def _as_named(relation: Any, said: SourceSettings) -> AnySource:
-    asset = None if said.asset is False else said.asset or "asset"
-    time = said.time or "time"
-    if said.layout == "wide" or said.channels is not None:
-        if not said.channels:
+def _as_named(relation: Any, settings: SourceSettings) -> AnySource:
+    asset = None if settings.asset is False else settings.asset or "asset"
+    time = settings.time or "time"
+    if settings.layout == "wide" or settings.channels is not None:
+        if not settings.channels:
             raise wrong("unseen_wide_table")
         return WideSource(
-            relation, said.channels, asset, time, said.where, said.time_kind, **said.written
+            relation,
+            settings.channels,
+            asset,
+            time,
+            settings.where,
+            settings.time_kind,
+            **settings.written,
         )
-    channel = None if said.channel is False else said.channel or "channel"
-    value, kind = said.value or "value", said.time_kind
-    return Source(relation, asset, channel, time, value, said.where, kind, **said.written)
+    channel = None if settings.channel is False else settings.channel or "channel"
+    value, kind = settings.value or "value", settings.time_kind
+    return Source(relation, asset, channel, time, value, settings.where, kind, **settings.written)
 
 
 export = typer.Typer(
@@ -161,9 +167,9 @@ def dbt(
     """
     settings.source.check_conditions(engine_named(engine))
     parameters, calibration = settings.method()
-    kept = settings.monitor
+    monitor = settings.monitor
     parts = _parts(without)
-    how = (engine, schema, kept.prefix, kept.lookback, kept.park_after, parts)
+    how = (engine, schema, monitor.prefix, monitor.lookback, monitor.park_after, parts)
     written = write(Package(described(settings), parameters, calibration, *how), folder)
     print(
         f"{len(written)} files of a dbt package are in {folder}. README.md there says what it holds; "
@@ -192,5 +198,5 @@ def grafana(
     The dashboard is imported and asks for its data source; the alert rule is a file of provisioning.
     Both read the views only, with the rights of a reader.
     """
-    made = dashboards.write(engine, folder, StateTables(schema, prefix), name, uid)
-    print(f"written: {', '.join(map(str, made))}; docs/grafana.md says where they go.")
+    paths = dashboards.write(engine, folder, StateTables(schema, prefix), name, uid)
+    print(f"written: {', '.join(map(str, paths))}; docs/grafana.md says where they go.")

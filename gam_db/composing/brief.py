@@ -9,7 +9,7 @@ from collections.abc import Collection, Mapping, Sequence
 from sqlglot import exp
 
 from gam_db.composing.folding import is_constant
-from gam_db.composing.selects import own_columns, query_of, selects_of, sources_of
+from gam_db.composing.selects import direct_columns, query_of, selects_of, sources_of
 
 #: What an engine may let a query leave out.
 FORMS = {
@@ -85,7 +85,7 @@ def _join_outer(select: exp.Select, filled: bool) -> None:
         if not isinstance(inner, exp.Select) or "hit" not in inner.named_selects:
             continue
         keys = [column.name for column in condition.find_all(exp.Column) if column.table == alias]
-        for column in list(own_columns(select)):
+        for column in list(direct_columns(select)):
             if column.table == alias and column.name == "hit":
                 there = exp.not_(exp.column(keys[-1], table=alias).is_(exp.null()))
                 comparison = column.parent
@@ -192,7 +192,7 @@ def _unqualify(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
     """Name columns without their table where only one has such a column, or all that do are equal."""
     sources = [source for source, _ in sources_of(select)]
     if len(sources) == 1:
-        for column in own_columns(select):
+        for column in direct_columns(select):
             column.set("table", None)
         if isinstance(sources[0], exp.Table):
             sources[0].set("alias", None)
@@ -211,13 +211,13 @@ def _unqualify(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
     if any(join.args.get("on") is not None for join in joins):
         equal = set()
     optional = {join.this.alias_or_name for join in joins if join.side == "LEFT"}
-    for column in own_columns(select):
+    for column in direct_columns(select):
         holders = sum(column.name in names for names in columns)
         is_equal = column.name in equal and column.table not in optional
         if column.table and (holders == 1 or is_equal):
             column.set("table", None)
     _unalias(select)
-    read = {column.table for column in own_columns(select)}
+    read = {column.table for column in direct_columns(select)}
     tables = [source.name for source in sources if isinstance(source, exp.Table)]
     for source in sources:
         is_named = source.alias_or_name in read or tables.count(source.name) > 1

@@ -44,13 +44,13 @@ def folded(query: exp.Query, is_typed: bool = True) -> exp.Query:
     for select in query.find_all(exp.Select):
         where = select.args.get("where")
         if where is not None:
-            where.set("this", known_there(where.this))
+            where.set("this", without_null_tests(where.this))
         if where is not None and where.this == exp.true():
             select.set("where", None)
     return query
 
 
-def known_there(condition: exp.Expr) -> exp.Expr:
+def without_null_tests(condition: exp.Expr) -> exp.Expr:
     """Return a condition without asking whether a column is there of which more is asked."""
     parts: list[exp.Expr] = []
     pending = [condition]

@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping
 from sqlglot import exp
 
 from gam_db.composing.folding import is_constant
-from gam_db.composing.selects import own_columns, query_of, sources_of, step_of
+from gam_db.composing.selects import direct_columns, query_of, sources_of, step_of
 
 
 def see_through(select: exp.Select, steps: Mapping[str, exp.Query], results: Collection[str]) -> None:
@@ -25,7 +25,7 @@ def see_through(select: exp.Select, steps: Mapping[str, exp.Query], results: Col
         ):
             continue
         alias = source.alias_or_name
-        for column in list(own_columns(select)):
+        for column in list(direct_columns(select)):
             if column.table in ("", alias) and column.name in columns:
                 renamed = columns[column.name].copy()
                 if isinstance(renamed, exp.Column):
@@ -51,7 +51,7 @@ def join_once(select: exp.Select, keys: Mapping[str, str]) -> None:
             is_same = source is not join.this and step_of(source, keys) == name
             if is_same and sides == {alias: keys[name], other: keys[name]}:
                 join.pop()
-                for column in list(own_columns(select)):
+                for column in list(direct_columns(select)):
                     if column.table == alias:
                         column.set("table", exp.to_identifier(other))
                 break
@@ -64,7 +64,7 @@ def drop_empty(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
         is_empty = isinstance(query, exp.Select) and _is_empty(query, steps)
         if join.side != "LEFT" or not (is_empty or join.args.get("on") == exp.false()):
             continue
-        for column in list(own_columns(select)):
+        for column in list(direct_columns(select)):
             if column.table == join.this.alias_or_name:
                 column.replace(exp.Literal.number(0) if column.name == "hit" else exp.Null())
         join.pop()
@@ -84,7 +84,7 @@ def _is_empty(query: exp.Select, steps: Mapping[str, exp.Query]) -> bool:
 
 def drop_rows(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
     """Drop joins to a step that is a single row of which nothing is read."""
-    read = {column.table for column in own_columns(select)}
+    read = {column.table for column in direct_columns(select)}
     for join in list(select.args.get("joins") or ()):
         name = step_of(join.this, steps)
         step = None if name is None else steps[name]

@@ -18,7 +18,7 @@ Tables: TypeAlias = Mapping[str, str]
 
 
 @dataclass(frozen=True, eq=False)
-class Made:
+class Definition:
     """What a step is made of; a step that is filled again in the same way has the same one.
 
     Attributes:
@@ -37,7 +37,7 @@ class Made:
 class Step:
     """One named SELECT, made when it is asked for: of a method's steps a question needs a few."""
 
-    def __init__(self, name: str, make: Callable[[], Made]) -> None:
+    def __init__(self, name: str, make: Callable[[], Definition]) -> None:
         self.name, self._make = name, make
 
     @classmethod
@@ -46,22 +46,22 @@ class Step:
 
         The inputs are the steps, by what the tree calls them.
         """
-        made = _adopted(query, comment, tuple(sorted(inputs.items())))
-        return cls(name, lambda: made)
+        definition = _adopted(query, comment, tuple(sorted(inputs.items())))
+        return cls(name, lambda: definition)
 
     @cached_property
-    def made(self) -> Made:
+    def definition(self) -> Definition:
         """What it is made of."""
         return self._make()
 
     @property
     def query(self) -> exp.Query:
         """Its tree."""
-        return self.made.query
+        return self.definition.query
 
 
 #: A step of a query: its name, what it is made of, and whether it is small.
-Entry: TypeAlias = tuple[str, Made, bool]
+Entry: TypeAlias = tuple[str, Definition, bool]
 
 
 @dataclass
@@ -101,16 +101,16 @@ class Pipeline:
         method costs that is asked for few rows. The path is ``folder/file``; slots and tables may be
         what gives them.
         """
-        known = frozenset(self.steps)
+        step_names = frozenset(self.steps)
         # Whoever gave them may go on with them before the step is made.
         held = slots if callable(slots) else dict(slots or {})
         renamed = tables if callable(tables) else dict(tables or {})
 
-        def make() -> Made:
+        def make() -> Definition:
             loaded = template.load(path)
-            given = held() if callable(held) else held
-            inputs = _inputs(loaded.tables, renamed() if callable(renamed) else renamed, known)
-            return _filled(path, _hashable(given), tuple(sorted(inputs.items())))
+            filled_slots = held() if callable(held) else held
+            inputs = _inputs(loaded.tables, renamed() if callable(renamed) else renamed, step_names)
+            return _filled(path, _hashable(filled_slots), tuple(sorted(inputs.items())))
 
         self._put(Step(name, make))
 
@@ -118,7 +118,7 @@ class Pipeline:
         """Let another tree be the one of a step, in its place in the order; return the step before."""
         before = self.steps[name]
         inputs = _inputs(_names(query), tables or {}, self.steps)
-        self.put(Step.of(name, query, before.made.comment, inputs))
+        self.put(Step.of(name, query, before.definition.comment, inputs))
         return before
 
     def put(self, step: Step) -> None:
@@ -134,43 +134,43 @@ class Pipeline:
         """Return a pipeline of the same steps, to which others can be added."""
         return Pipeline(dict(self.steps), self.small, dict(self.rounds))
 
-    def needed(self, targets: Iterable[str], given: Iterable[str] = ()) -> list[Step]:
+    def needed(self, targets: Iterable[str], existing: Iterable[str] = ()) -> list[Step]:
         """Return the steps that the targets need, in order, without what is given and its inputs."""
-        known = set(given)
+        excluded = set(existing)
         wanted = set(targets)
-        pending = list(wanted - known)
+        pending = list(wanted - excluded)
         while pending:
-            for read in self.steps[pending.pop()].made.reads:
-                if read not in known and read not in wanted:
+            for read in self.steps[pending.pop()].definition.reads:
+                if read not in excluded and read not in wanted:
                     wanted.add(read)
                     pending.append(read)
-        return [step for step in self.steps.values() if step.name in wanted - known]
+        return [step for step in self.steps.values() if step.name in wanted - excluded]
 
     def query(
-        self, target: str, placed: Mapping[str, exp.Table] | None = None, commented: bool = False
+        self, target: str, tables: Mapping[str, exp.Table] | None = None, commented: bool = False
     ) -> exp.Query:
         """Return one query for a step: what it needs becomes its WITH list.
 
         Args:
             target: the step whose rows are wanted.
-            placed: steps that exist as tables already.
+            tables: steps that exist as tables already.
             commented: put each step's comment before it.
 
         Returns:
             The tree; asked again in the same circumstances, the same one, so it must not be changed. One
             with comments is the caller's own.
         """
-        placed, last = placed or {}, self.steps[target].made
-        steps = [step for step in self.needed([target], placed) if step.name != target]
-        inputs = tuple((step.name, step.made, step.name in self.small) for step in steps)
-        read = {target}.union(last.tables, *(step.made.tables for step in steps)) & placed.keys()
-        parts = target, last, inputs, tuple((name, placed[name]) for name in sorted(read))
+        tables, last = tables or {}, self.steps[target].definition
+        steps = [step for step in self.needed([target], tables) if step.name != target]
+        inputs = tuple((step.name, step.definition, step.name in self.small) for step in steps)
+        read = {target}.union(last.tables, *(step.definition.tables for step in steps)) & tables.keys()
+        parts = target, last, inputs, tuple((name, tables[name]) for name in sorted(read))
         return _composed(*parts, True) if commented else _composed_once(*parts)
 
 
 def _composed(
     target: str,
-    last: Made,
+    last: Definition,
     inputs: Sequence[Entry],
     places: Sequence[tuple[str, exp.Table]],
     commented: bool = False,
@@ -209,33 +209,33 @@ _composed_once = lru_cache(maxsize=256)(_composed)
 @lru_cache(maxsize=4000)
 def _filled(
     path: str, slots: tuple[tuple[str, Any, str], ...], inputs: tuple[tuple[str, str], ...]
-) -> Made:
+) -> Definition:
     """Return a step that is a file of ``sql/``, with the steps that it reads by their names in it."""
     query = filled(path, {name: value for name, value, _ in slots})
-    return _made(query, template.load(path).comment, dict(inputs))
+    return _definition(query, template.load(path).comment, dict(inputs))
 
 
 @lru_cache(maxsize=128)
-def _adopted(query: exp.Query, comment: str, inputs: tuple[tuple[str, str], ...]) -> Made:
-    return _made(query.copy(), comment, dict(inputs))
+def _adopted(query: exp.Query, comment: str, inputs: tuple[tuple[str, str], ...]) -> Definition:
+    return _definition(query.copy(), comment, dict(inputs))
 
 
-def _made(query: exp.Query, comment: str, inputs: Mapping[str, str]) -> Made:
+def _definition(query: exp.Query, comment: str, inputs: Mapping[str, str]) -> Definition:
     read_as(query, inputs)
-    return Made(query, comment, frozenset(inputs.values()), _names(query))
+    return Definition(query, comment, frozenset(inputs.values()), _names(query))
 
 
-def _inputs(names: Iterable[str], tables: Tables, known: Container[str]) -> dict[str, str]:
+def _inputs(names: Iterable[str], tables: Tables, steps: Container[str]) -> dict[str, str]:
     """Return the steps that a query reads, by the names that it has for them."""
-    said = {name: tables.get(name, name) for name in names}
-    return {name: step for name, step in said.items() if step in known}
+    steps_by_name = {name: tables.get(name, name) for name in names}
+    return {name: step for name, step in steps_by_name.items() if step in steps}
 
 
-def place(query: exp.Expr, placed: Mapping[str, exp.Table]) -> None:
+def place(query: exp.Expr, tables: Mapping[str, exp.Table]) -> None:
     """Let a tree read the given tables where it names their steps; in place."""
     for table in _plain_tables(query):
-        if table.name in placed:
-            target = placed[table.name].copy()
+        if table.name in tables:
+            target = tables[table.name].copy()
             target.set("alias", table.args.get("alias") or exp.TableAlias(this=table.this.copy()))
             table.replace(target)
 

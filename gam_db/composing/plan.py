@@ -58,13 +58,15 @@ class Plan(NamedTuple):
     statements: tuple[Statement, ...]
 
     @classmethod
-    def of(cls, steps: Pipeline, statements: Iterable[Statement], given: Container[str] = ()) -> "Plan":
+    def of(
+        cls, steps: Pipeline, statements: Iterable[Statement], existing: Container[str] = ()
+    ) -> "Plan":
         """Return a plan in which small named queries become tables before a statement reads them.
 
         Args:
             steps: the named queries.
             statements: in order; one that is a table may be a query of the caller.
-            given: names that are tables before the plan begins.
+            existing: names that are tables before the plan begins.
 
         Raises:
             InternalError: a verify comes after an append.
@@ -73,7 +75,7 @@ class Plan(NamedTuple):
         tables: set[str] = set()
         for statement in statements:
             if statement.name in steps.steps:
-                held = [name for name in steps.steps if name in tables or name in given]
+                held = [name for name in steps.steps if name in tables or name in existing]
                 for step in steps.needed([statement.name], held):
                     if step.name in steps.small and step.name != statement.name:
                         ordered.append(Statement(step.name, is_input=True))

@@ -18,7 +18,7 @@ def sources_of(select: exp.Select) -> list[tuple[exp.Expr, bool]]:
     return sources + [(join.this, join.side != "LEFT") for join in joins]
 
 
-def own_columns(select: exp.Select) -> Iterator[exp.Column]:
+def direct_columns(select: exp.Select) -> Iterator[exp.Column]:
     """Give the columns that a select names itself, not those of a select in it."""
     for node in select.walk(prune=lambda node: isinstance(node, exp.Subquery)):
         if isinstance(node, exp.Column):

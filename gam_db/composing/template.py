@@ -79,27 +79,27 @@ def parse(name: str, source: str) -> Template:
     One for a single engine says so in its head (``Dialect: clickhouse``), and may use its functions.
     What else a file must keep to is tested (``tests/tools/sql_lint.py``).
     """
-    said = [line.removeprefix("--").strip() for line in source.splitlines() if line.startswith("--")]
-    own = next((line.split()[1] for line in said if line.startswith("Dialect:")), None)
+    head = [line.removeprefix("--").strip() for line in source.splitlines() if line.startswith("--")]
+    dialect = next((line.split()[1] for line in head if line.startswith("Dialect:")), None)
     try:
-        statements = sqlglot.parse(source, dialect=own or DuckDB)
+        statements = sqlglot.parse(source, dialect=dialect or DuckDB)
     except SqlglotError as error:
         raise TemplateError(f"sql/{name}.sql cannot be parsed: {error}") from error
-    found = [one for one in statements if one is not None]
-    if not found or any(one.args.get("kind") != "MACRO" for one in found[:-1]):
+    trees = [statement for statement in statements if statement is not None]
+    if not trees or any(macro.args.get("kind") != "MACRO" for macro in trees[:-1]):
         raise TemplateError(f"sql/{name}.sql must hold exactly one statement, after macros if any.")
-    *macros, tree = found
+    *macros, tree = trees
     for place, macro in enumerate(macros):
         for reader in (*macros[place + 1 :], tree):
             _inline(macro, reader)
     after = ("Dialect:", "Reads:", "Slots:")
-    comment = "\n".join(takewhile(lambda line: not line.startswith(after), said))
+    comment = "\n".join(takewhile(lambda line: not line.startswith(after), head))
     for node in tree.walk():
         node.comments = None
         node._meta = None  # places in the text; copying them takes longer than all else
     slots = frozenset(node.name for node in tree.find_all(exp.Placeholder))
     tables = frozenset(node.name for node in tree.find_all(exp.Table))
-    return Template(name, comment, tree, slots, tables, own)
+    return Template(name, comment, tree, slots, tables, dialect)
 
 
 def _inline(macro: exp.Expr, reader: exp.Expr) -> None:
@@ -107,10 +107,12 @@ def _inline(macro: exp.Expr, reader: exp.Expr) -> None:
     about: exp.Expr = macro.this
     for call in reversed(list(reader.find_all(exp.Anonymous))):  # inner calls first
         if call.name == about.this.name:
-            said = dict(zip((one.name for one in about.expressions), call.expressions, strict=True))
+            arguments = dict(
+                zip((parameter.name for parameter in about.expressions), call.expressions, strict=True)
+            )
             body = exp.Paren(this=macro.expression.copy())
             for column in list(body.find_all(exp.Column)):
-                column.replace(_fenced(said[column.name].copy(), column))
+                column.replace(_fenced(arguments[column.name].copy(), column))
             call.replace(body)
 
 

@@ -10,9 +10,9 @@ from collections.abc import Collection, Mapping
 
 from sqlglot import exp
 
-from gam_db.composing.folding import folded, is_constant, known_there
+from gam_db.composing.folding import folded, is_constant, without_null_tests
 from gam_db.composing.joining import drop_empty, drop_rows, join_once, see_through
-from gam_db.composing.selects import own_columns, query_of, selects_of, sources_of, step_of
+from gam_db.composing.selects import direct_columns, query_of, selects_of, sources_of, step_of
 from gam_db.errors import InternalError
 
 Queries = dict[str, exp.Query]
@@ -83,7 +83,7 @@ def _qualify(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
     sources = [source for source, _ in sources_of(select)]
     if len(sources) < 2:
         return
-    for column in own_columns(select):
+    for column in direct_columns(select):
         if not column.table:
             for source in sources:
                 query = query_of(source, steps)
@@ -118,7 +118,7 @@ def _inline(select: exp.Select, constants: Mapping[str, Mapping[str, exp.Expr]])
             constant_columns[id(source)] = constants[step]
         elif is_there and isinstance(source, exp.Subquery):
             constant_columns[id(source)] = _constants(source.this)
-    for column in list(own_columns(select)):
+    for column in list(direct_columns(select)):
         value = constant_columns.get(id(_source_of(select, column)), {}).get(column.name)
         if value is None:
             continue
@@ -165,11 +165,11 @@ def _merge(select: exp.Select) -> None:
     if first is None or first.this.alias_or_name == "":
         return
     single = len(sources_of(inner)) == 1
-    for column in list(own_columns(select)):
+    for column in list(direct_columns(select)):
         part = parts.get(column.name)
         if part is None:
             return
-    for column in list(own_columns(select)):
+    for column in list(direct_columns(select)):
         column_read = parts[column.name].copy()
         if single and isinstance(column_read, exp.Column) and not column_read.table:
             column_read.set("table", exp.to_identifier(first.this.alias_or_name))
@@ -177,7 +177,7 @@ def _merge(select: exp.Select) -> None:
             column_read = exp.alias_(column_read, column.name)  # some engines keep its table in its name
         column.replace(column_read)
     if single:
-        for column in own_columns(inner):
+        for column in direct_columns(inner):
             if not column.table:
                 column.set("table", exp.to_identifier(first.this.alias_or_name))
     select.set("from_", first)
@@ -186,7 +186,7 @@ def _merge(select: exp.Select) -> None:
     if where is not None:
         condition = select.args.get("where")
         both = where.this if condition is None else exp.and_(where.this, condition.this)
-        select.set("where", exp.Where(this=known_there(both)))
+        select.set("where", exp.Where(this=without_null_tests(both)))
 
 
 def _name(select: exp.Select) -> None:
@@ -201,7 +201,7 @@ def _name(select: exp.Select) -> None:
                 named = exp.column(name, table=column.table or None)
                 parts.setdefault(name, exp.alias_(named, name) if column.table else named)
     select.set("expressions", list(parts.values()))
-    for column in list(own_columns(select)):
+    for column in list(direct_columns(select)):
         if column.name not in IDS:
             continue
         parent = column.parent
@@ -254,7 +254,7 @@ def _prune(
         remaining = [part for part in query.expressions if part.alias_or_name in wanted]
         query.set("expressions", remaining or query.expressions[:1])
     read: dict[int, set[str]] = defaultdict(set)
-    for column in own_columns(query):
+    for column in direct_columns(query):
         source = _source_of(query, column)
         if source is None:
             raise InternalError(f"Nothing read has {column.sql()}: {query.sql()}")
@@ -282,7 +282,7 @@ def _shorten(select: exp.Select) -> None:
             for part in select.expressions
             if not (isinstance(part.unalias(), exp.Column) and part.unalias().name == part.alias_or_name)
         }
-        columns = list(own_columns(select))
+        columns = list(direct_columns(select))
         for column in columns:
             if column.name not in other:
                 column.set("table", None)

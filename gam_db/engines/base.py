@@ -30,7 +30,7 @@ Rewrite = Callable[[exp.Expr], exp.Expr]
 Formulas = str | Mapping[TimeKind, str]
 RangeRewrite = Callable[[exp.Expr, int | None, int | None], list[exp.Expr]]
 
-_SAID = data.table("gam_db.engines", "engines.toml")
+_ENGINES = data.table("gam_db.engines", "engines.toml")
 
 #: Begins what a statement says that met a value which is not whole.
 REFUSES = "gam-db: "
@@ -43,9 +43,9 @@ _TEXTS: dict[tuple[str, str | None, int], str] = {}
 _MOST_TEXTS = 3000
 
 
-def temporary(made: exp.Expr, query: exp.Query | None = None, *storage: exp.Expr) -> exp.Create:
+def temporary(table: exp.Expr, query: exp.Query | None = None, *storage: exp.Expr) -> exp.Create:
     """Return a temporary table: of the rows of a query, or empty with the columns of a schema."""
-    return table_as(made.copy(), query, exp.TemporaryProperty(), *(one.copy() for one in storage))
+    return table_as(table.copy(), query, exp.TemporaryProperty(), *(node.copy() for node in storage))
 
 
 def with_columns(table: exp.Table, types: Mapping[str, exp.DataType]) -> exp.Schema:
@@ -66,13 +66,13 @@ class Texts:
 
 def table_as(table: exp.Expr, query: exp.Query | None, *storage: exp.Expr) -> exp.Create:
     """Return CREATE TABLE ... AS, with what is said of its storage."""
-    said = exp.Properties(expressions=list(storage)) if storage else None
-    return exp.Create(this=table, kind="TABLE", expression=query, properties=said)
+    properties = exp.Properties(expressions=list(storage)) if storage else None
+    return exp.Create(this=table, kind="TABLE", expression=query, properties=properties)
 
 
 @cache
-def _formula(said: str) -> template.Template:
-    parsed = template.parse(said, said)
+def _formula(text: str) -> template.Template:
+    parsed = template.parse(text, text)
     whole = exp.Paren(this=parsed.tree)
     for call in reversed(list(whole.find_all(exp.Dot))):
         call.replace(call.expression)
@@ -81,15 +81,15 @@ def _formula(said: str) -> template.Template:
     return replace(parsed, tree=whole.this.pop())
 
 
-def formula(said: str, **slots: template.Slot) -> exp.Expr:
+def formula(text: str, **slots: template.Slot) -> exp.Expr:
     """Return an expression with its slots filled.
 
     Args:
-        said: in DuckDB's dialect. What is an engine's own is left as it is: functions that are called
+        text: in DuckDB's dialect. What is an engine's own is left as it is: functions that are called
             ``own.F(x)``, and words that stand alone or in double quotes.
         slots: as for :func:`gam_db.composing.template.fill`.
     """
-    return template.fill_template(_formula(said), slots)
+    return template.fill_template(_formula(text), slots)
 
 
 @dataclass(frozen=True)
@@ -189,11 +189,11 @@ class Engine:
     @classmethod
     def named(cls, name: str, **code: Any) -> "Engine":
         """Return an engine: what ``engines.toml`` says of it, and the rest, which takes code."""
-        said = dict(_SAID[name])
-        for key in {"micros", "instant", "compared"} & said.keys():
-            if isinstance(of := said[key], dict):
-                said[key] = {TimeKind(kind): one for kind, one in of.items()}
-        return cls(name=name, **{**said, **code})
+        fields = dict(_ENGINES[name])
+        for key in {"micros", "instant", "compared"} & fields.keys():
+            if isinstance(of := fields[key], dict):
+                fields[key] = {TimeKind(kind): text for kind, text in of.items()}
+        return cls(name=name, **{**fields, **code})
 
     def is_too_old(self, version: str) -> bool:
         """Tell whether a version is older than the oldest that is accepted."""
@@ -345,7 +345,7 @@ class Engine:
 
     def unordered(self) -> "Engine":
         """Return the engine for queries that compare names, and put them in no order."""
-        return replace(self, rewrites=[one for one in self.rewrites if one not in self.ordering])
+        return replace(self, rewrites=[edit for edit in self.rewrites if edit not in self.ordering])
 
     def beginning(self) -> str:
         """Return what a script begins with; empty where that is nothing."""
@@ -370,18 +370,18 @@ class Engine:
 
 
 def _of_kind(formulas: Formulas, kind: TimeKind) -> str:
-    said = {TimeKind.TIMESTAMP: formulas} if isinstance(formulas, str) else formulas
-    return said.get(kind, said[TimeKind.TIMESTAMP])
+    by_kind = {TimeKind.TIMESTAMP: formulas} if isinstance(formulas, str) else formulas
+    return by_kind.get(kind, by_kind[TimeKind.TIMESTAMP])
 
 
 #: A dialect of sqlglot, made once: a run writes hundreds of texts.
 _dialect = cache(Dialect.get_or_raise)
 
 
-def deletion(table: exp.Table, keys: Sequence[str], found: exp.Query) -> exp.Delete:
+def deletion(table: exp.Table, keys: Sequence[str], key_rows: exp.Query) -> exp.Delete:
     """Return what deletes the rows of a table whose keys are among the rows of a query."""
     key = exp.Tuple(expressions=[exp.column(exp.to_identifier(name)) for name in keys])
-    among = exp.In(this=key, query=exp.Subquery(this=found))
+    among = exp.In(this=key, query=exp.Subquery(this=key_rows))
     return exp.Delete(this=table.copy(), where=exp.Where(this=among))
 
 

@@ -8,8 +8,8 @@ from gam_db.engines.storage import Storage, clustered
 from gam_db.engines.types import Types
 
 
-def _described(said: exp.Expr) -> exp.Expr:
-    return exp.Property(this=exp.var("description"), value=said)
+def _described(comment: exp.Expr) -> exp.Expr:
+    return exp.Property(this=exp.var("description"), value=comment)
 
 
 def name_rows_apart(tree: exp.Expr) -> exp.Expr:
@@ -19,10 +19,10 @@ def name_rows_apart(tree: exp.Expr) -> exp.Expr:
     matching signature, found STRUCT<...>, wherever a step has a column of its own name.
     """
     for select in tree.find_all(exp.Select):
-        own = _without_queries_inside(select)
-        columns = [node for node in own if isinstance(node, exp.Column)]
+        nodes = _without_queries_inside(select)
+        columns = [node for node in nodes if isinstance(node, exp.Column)]
         alone = {column.name for column in columns if not column.table}
-        for relation in own:
+        for relation in nodes:
             name = relation.alias_or_name
             if isinstance(relation, (exp.Table, exp.Subquery)) and name in alone:
                 apart = exp.to_identifier(f"{name}_rows")
@@ -44,10 +44,10 @@ def find_keys_as_structs(tree: exp.Expr) -> exp.Expr:
     column, in every DELETE by a key.
     """
     for among in tree.find_all(exp.In):
-        found = among.args.get("query")
+        query = among.args.get("query")
         key = among.this
-        if found is not None and isinstance(key, exp.Tuple) and len(key.expressions) > 1:
-            found.unnest().set("kind", "STRUCT")
+        if query is not None and isinstance(key, exp.Tuple) and len(key.expressions) > 1:
+            query.unnest().set("kind", "STRUCT")
     return tree
 
 
@@ -57,7 +57,7 @@ ENGINE = Engine.named(
     storage=Storage(
         comments="inside",  # as OPTIONS
         note=_described,
-        column_note=lambda said: exp.Properties(expressions=[_described(said)]),
+        column_note=lambda comment: exp.Properties(expressions=[_described(comment)]),
         properties=clustered,
     ),
     rewrites=(escape_by_backslash, name_rows_apart, find_keys_as_structs),

@@ -44,12 +44,12 @@ _CONSTANTS = _words(_TABLES["volatile"], "constants")
 @cache
 def allowed_on(engine: str) -> Allowed:
     """Return what conditions may hold on the engine of a name."""
-    every, own = _TABLES["every"], _TABLES[_TABLES[engine].get("like", engine)]
+    every, of_engine = _TABLES["every"], _TABLES[_TABLES[engine].get("like", engine)]
     return Allowed(
-        nodes=_words(every, "nodes") | _words(own, "nodes"),
+        nodes=_words(every, "nodes") | _words(of_engine, "nodes"),
         types=_words(every, "types"),
-        functions=frozenset(map(str.lower, _words(own, "functions"))),
-        moving=re.compile(own.get("moving", "(?!)"), re.IGNORECASE | re.DOTALL),
+        functions=frozenset(map(str.lower, _words(of_engine, "functions"))),
+        moving=re.compile(of_engine.get("moving", "(?!)"), re.IGNORECASE | re.DOTALL),
     )
 
 
@@ -100,7 +100,7 @@ def _problem(part: exp.Expr, allowed: Allowed) -> str | None:
 
 def _may_ask_table(part: exp.In) -> bool:
     """Tell whether what stands after IN may be a table: a name in brackets is one to ClickHouse."""
-    return not part.expressions or any(one.find(exp.Column) for one in part.expressions)
+    return not part.expressions or any(node.find(exp.Column) for node in part.expressions)
 
 
 def _is_clock(part: exp.Expr, allowed: Allowed) -> bool:

@@ -83,9 +83,9 @@ class Driver(Protocol):
         """Drop a table made by :meth:`keep` or :meth:`ingest`."""
         self.execute(self.engine.text(exp.Drop(tables=[table.copy()], kind="TABLE", exists=True)))
 
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+    def delete(self, table: exp.Table, keys: Sequence[str], key_rows: exp.Query) -> None:
         """Delete the rows of a table whose keys are among the rows of a query, as one step."""
-        self.execute(self.engine.text(deletion(table, keys, found)))
+        self.execute(self.engine.text(deletion(table, keys, key_rows)))
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return what can be read, tables and views: (catalogue, schema, name) as far as there are."""
@@ -143,7 +143,7 @@ class DbapiDriver(Driver):
         self._connection, self._owned = connection, owned
 
     def execute(self, statement: str) -> None:
-        self._asked(statement)
+        self._run(statement)
 
     def fetch(self, query: str) -> pa.Table:
         """Return the rows of a query; a column without any value has the type null."""
@@ -152,7 +152,10 @@ class DbapiDriver(Driver):
         described = cursor.description
         rows = cursor.fetchall()
         columns = list(zip(*rows, strict=True)) if rows else [()] * len(described)
-        arrays = [self.array(one, column) for one, column in zip(described, columns, strict=True)]
+        arrays = [
+            self.array(description, column)
+            for description, column in zip(described, columns, strict=True)
+        ]
         return pa.table(arrays, names=[name for name, *_ in described])
 
     def array(self, described: Sequence[Any], column: Sequence[Any]) -> pa.Array:
@@ -160,14 +163,14 @@ class DbapiDriver(Driver):
         return pa.array(column)
 
     def begin(self) -> None:
-        self._asked(self.engine.begins)
+        self._run(self.engine.begins)
 
     def commit(self) -> None:
-        self._asked("COMMIT")
+        self._run("COMMIT")
 
     def rollback(self) -> None:
         if self.in_transaction():
-            self._asked("ROLLBACK")
+            self._run("ROLLBACK")
 
     def in_transaction(self) -> bool:
         return bool(self._connection.in_transaction)
@@ -206,7 +209,7 @@ class DbapiDriver(Driver):
         if self._owned:
             self._connection.close()
 
-    def _asked(self, statement: str, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
+    def _run(self, statement: str, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
         """Run a statement; return its rows, none of one that has none."""
         cursor = self._connection.cursor()
         cursor.execute(statement, *([values] if values else []))  # without values no sign stands for one
@@ -245,7 +248,7 @@ def is_text(arrow: pa.DataType) -> bool:
 
 def by_table(rows: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:
     """Return the columns of tables, names of tables in lower case, of rows (table, column) in order."""
-    found: dict[str, tuple[str, ...]] = {}
+    columns: dict[str, tuple[str, ...]] = {}
     for table, column in rows:
-        found[table.casefold()] = (*found.get(table.casefold(), ()), column)
-    return found
+        columns[table.casefold()] = (*columns.get(table.casefold(), ()), column)
+    return columns

@@ -59,7 +59,7 @@ def check_columns(table: pa.Table) -> None:
         seen[name.casefold()] = name
 
 
-def signal_table(given: Any) -> pa.Table | None:
+def signal_table(signal: Any) -> pa.Table | None:
     """Return a single signal as a table of two columns, time and readings; None if it is none.
 
     A signal is a 1-D array of NumPy or Arrow, or a series of pandas or polars. The index of a pandas
@@ -69,15 +69,15 @@ def signal_table(given: Any) -> pa.Table | None:
     Raises:
         SourceError: it has not one dimension, its readings are no numbers, or its index tells no time.
     """
-    if isinstance(given, np.ndarray):
-        return _table(_of_numpy(given))
-    if _is_of(given, "pandas", "Series"):
-        readings = _numbers(given, given.dtype)
-        return _table(readings, given.name, _times(given.index))
-    if isinstance(given, (pa.Array, pa.ChunkedArray)):
-        return _table(_numbers(given, given.type))
-    if _is_of(given, "polars", "Series"):
-        return _table(_numbers(pa.chunked_array(given), given.dtype), given.name)
+    if isinstance(signal, np.ndarray):
+        return _table(_of_numpy(signal))
+    if _is_of(signal, "pandas", "Series"):
+        readings = _numbers(signal, signal.dtype)
+        return _table(readings, signal.name, _times(signal.index))
+    if isinstance(signal, (pa.Array, pa.ChunkedArray)):
+        return _table(_numbers(signal, signal.type))
+    if _is_of(signal, "polars", "Series"):
+        return _table(_numbers(pa.chunked_array(signal), signal.dtype), signal.name)
     return None
 
 
@@ -87,14 +87,14 @@ def _table(readings: Any, name: Any = None, time: Any = None) -> pa.Table:
     return pa.table({when: np.arange(len(readings)) if time is None else time, called: readings})
 
 
-def _of_numpy(given: np.ndarray[Any, Any]) -> pa.Array:
-    if given.ndim != 1:
-        raise wrong("dimensions_of_an_array", dimensions=given.ndim)
-    if given.dtype.kind not in _NUMBERS:
-        raise wrong("readings_of_an_array", kind=given.dtype)
-    if given.dtype.kind == "f" and given.dtype != np.float32:
-        given = given.astype(np.float64)  # Arrow and DuckDB do not read all floats
-    return pa.array(given.astype(given.dtype.newbyteorder("="), copy=False))
+def _of_numpy(array: np.ndarray[Any, Any]) -> pa.Array:
+    if array.ndim != 1:
+        raise wrong("dimensions_of_an_array", dimensions=array.ndim)
+    if array.dtype.kind not in _NUMBERS:
+        raise wrong("readings_of_an_array", kind=array.dtype)
+    if array.dtype.kind == "f" and array.dtype != np.float32:
+        array = array.astype(np.float64)  # Arrow and DuckDB do not read all floats
+    return pa.array(array.astype(array.dtype.newbyteorder("="), copy=False))
 
 
 def _numbers(values: Any, kind: Any) -> Any:
@@ -133,11 +133,11 @@ def _times(index: Any) -> Any:
     raise wrong("index_of_a_series", kind=type(index).__name__, of=index.dtype)
 
 
-def _is_of(given: Any, package: str, kind: str | None = None) -> bool:
+def _is_of(instance: Any, package: str, kind: str | None = None) -> bool:
     """Tell whether an object is of a package, and of a class of it, without importing the package."""
     return any(
         of.__module__.partition(".")[0] == package and kind in (None, of.__name__)
-        for of in type(given).__mro__
+        for of in type(instance).__mro__
     )
 
 

@@ -8,7 +8,7 @@ from sqlglot import exp
 SIGNAL = ("asset_name", "channel_name")
 
 
-def of_one_signal(view: exp.Table) -> exp.Query:
+def signal_rows(view: exp.Table) -> exp.Query:
     """Return the rows of a view that are of the signal that a function is called with."""
     asset, channel = map(exp.column, SIGNAL)
     named = exp.column("asset").eq(asset), exp.column("channel").eq(channel)

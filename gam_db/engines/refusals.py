@@ -25,7 +25,7 @@ _TABLE = list(csv.DictReader(data.text("gam_db.engines", "refusals.csv").splitli
 _SHARED = {"conflict": CONFLICT, "full": FULL, "unwritten": UNWRITTEN, "read_only": READ_ONLY}
 
 
-def refusal(of: str, *told: str, **words: object) -> UserError | None:
+def refusal(of: str, *traits: str, **words: object) -> UserError | None:
     """Return what the user can do about an error; None if it is none of the user's.
 
     It is looked up by the name in the first column of the table and by what is known of the error (its
@@ -33,17 +33,17 @@ def refusal(of: str, *told: str, **words: object) -> UserError | None:
     """
     for row in _TABLE:
         signs = row["signs"].split("|")
-        if row["of"] == of and any(fnmatchcase(one, sign) for one in told for sign in signs):
+        if row["of"] == of and any(fnmatchcase(trait, sign) for trait in traits for sign in signs):
             error: UserError = getattr(errors, row["error"])(row["said"].format(**_SHARED, **words))
             return error
     return None
 
 
-def refused(of: str, *told: str, **words: object) -> UserError:
+def refused(of: str, *traits: str, **words: object) -> UserError:
     """Return the same of what is always the user's: the table has an answer to any error."""
-    found = refusal(of, *told, **words)
-    assert found is not None, of
-    return found
+    error = refusal(of, *traits, **words)
+    assert error is not None, of
+    return error
 
 
 def first_line(error: BaseException | None) -> str:

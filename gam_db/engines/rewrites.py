@@ -65,10 +65,10 @@ def _is_entry(table: exp.Table) -> bool:
     while within is not None:
         entry = within if isinstance(within, exp.CTE) else entry
         entries = within.args.get("with_")
-        for one in entries.expressions if entries is not None else ():
-            if one is entry:
+        for earlier in entries.expressions if entries is not None else ():
+            if earlier is entry:
                 break
-            if one.alias == table.name:
+            if earlier.alias == table.name:
                 return True
         within = within.parent
     return False

@@ -50,7 +50,7 @@ class Session:
         self.engine = driver.engine
         self.transactions = driver.engine.transactions
         self._number: int | None = None
-        self._made: dict[str, exp.Table] = {}
+        self._tables: dict[str, exp.Table] = {}
         self._defined: dict[str, exp.Expr] = {}  # by name: how it is dropped
         #: Each looks for values that are not whole, and raises what is said of them.
         self.suspects: list[Callable[[], None]] = []
@@ -64,13 +64,13 @@ class Session:
     def close(self) -> None:
         """Drop what was made on the way; close the connection if it is ours."""
         with contextlib.suppress(*self.driver.errors):
-            for made in list(self._made.values()):
-                self.driver.drop(made)
+            for table in list(self._tables.values()):
+                self.driver.drop(table)
             for dropped in self._defined.values():
                 self.driver.execute(self.engine.text(dropped))
             self._give_back()
         self._number = None
-        self._made.clear()
+        self._tables.clear()
         self._defined.clear()
         self.driver.close()
 
@@ -82,27 +82,29 @@ class Session:
         Raises:
             SourceError: there is no such relation, or the engine cannot read it.
         """
-        said = form is not None and self.engine.texts is None and form
-        if said and set(said.of_words) - {"time_unit", *self.engine.heeds}:
+        unheeded = form is not None and self.engine.texts is None and form
+        if unheeded and set(unheeded.of_words) - {"time_unit", *self.engine.heeds}:
             raise wrong("engine_reads_no_texts", title=self.engine.title)
         if not isinstance(relation, (str, Path, tuple, list)):
             return self.load(arrow_table(relation))
         if isinstance(relation, (tuple, list)):
-            others = (type(one).__name__ for one in relation if not isinstance(one, (str, Path)))
+            others = (type(part).__name__ for part in relation if not isinstance(part, (str, Path)))
             if other := next(others, None):
                 raise wrong("list_of_values", kind=other)
         if isinstance(relation, Path) and is_spreadsheet(relation):
             raise wrong("spreadsheet", relation=relation)
         if is_file(relation):
-            return self._asked(lambda: self.driver.file(relation, form))
+            return self._answer(lambda: self.driver.file(relation, form))
         shown = relation if isinstance(relation, str) else ".".join(map(str, relation))  # type: ignore[arg-type]
-        known = self._asked(self.driver.tables)
+        tables = self._answer(self.driver.tables)
         for node in table_names(relation):  # type: ignore[arg-type]
-            if self._is_among(node, known):
-                return self._asked(functools.partial(self.driver.located, node))
+            if self._is_among(node, tables):
+                return self._answer(functools.partial(self.driver.located, node))
         if is_spreadsheet(relation):
             raise wrong("spreadsheet", relation=relation)
-        raise SourceError(self._unknown(shown, nearest(shown, _of_others({name[-1] for name in known}))))
+        raise SourceError(
+            self._unknown(shown, nearest(shown, _of_others({name[-1] for name in tables})))
+        )
 
     @contextlib.contextmanager
     def lent(self, table: pa.Table) -> Iterator[exp.Table]:
@@ -115,14 +117,14 @@ class Session:
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
         """Return the columns of a relation and their types, in order."""
-        return self._asked(lambda: self.driver.describe(relation))
+        return self._answer(lambda: self.driver.describe(relation))
 
     def relations(self, schema: str | None = None) -> dict[str, tuple[str, ...]]:
         """Return the tables and views of a schema (None: the current one) with their columns, in order.
 
         Names of tables and views are folded to lower case.
         """
-        return self._asked(lambda: self.driver.relations(schema))
+        return self._answer(lambda: self.driver.relations(schema))
 
     def check_condition(
         self, relation: exp.Expr, condition: exp.Expr, shown: str, called: str = "where"
@@ -138,11 +140,11 @@ class Session:
             with self.driver.only_reading():
                 self.fetch(probe.limit(0))
         except (StatementError, EngineError) as error:
-            said = first_line(error.__cause__) + self.engine.condition_note
-            if isinstance(error, EngineError) and "read-only" not in said:  # it is not the condition
+            reason = first_line(error.__cause__) + self.engine.condition_note
+            if isinstance(error, EngineError) and "read-only" not in reason:  # it is not the condition
                 raise
             raise wrong(
-                "where_refused", called=called, shown=shown, title=self.engine.title, said=said
+                "where_refused", called=called, shown=shown, title=self.engine.title, said=reason
             ) from error
 
     def execute(self, statement: exp.Expr) -> None:
@@ -152,15 +154,15 @@ class Session:
             EngineError: the database cannot be written.
         """
         text = self.engine.text(statement)
-        self._asked(lambda: self.driver.execute(text), text)
+        self._answer(lambda: self.driver.execute(text), text)
 
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+    def delete(self, table: exp.Table, keys: Sequence[str], key_rows: exp.Query) -> None:
         """Delete the rows of a table whose keys are among the rows of a query.
 
         Raises:
             EngineError: the database cannot be written.
         """
-        self._asked(lambda: self.driver.delete(table, keys, found))
+        self._answer(lambda: self.driver.delete(table, keys, key_rows))
 
     @contextlib.contextmanager
     def transaction(self) -> Iterator[None]:
@@ -172,13 +174,13 @@ class Session:
         if not self.transactions:
             yield
             return
-        if self._asked(self.driver.in_transaction):
+        if self._answer(self.driver.in_transaction):
             raise EngineError(OPEN)
-        self._asked(self.driver.begin)
+        self._answer(self.driver.begin)
         try:
             yield
             try:
-                self._asked(self.driver.commit)
+                self._answer(self.driver.commit)
             except LostConnectionError as error:
                 raise wrong("commit_unknown", title=self.engine.title) from error
         except BaseException:
@@ -189,12 +191,12 @@ class Session:
     def fetch(self, query: exp.Expr) -> pa.Table:
         """Run a query and return its rows as an Arrow table."""
         text = self.engine.text(query)
-        return self._asked(lambda: self.driver.fetch(text), text)
+        return self._answer(lambda: self.driver.fetch(text), text)
 
     def rows(self, query: exp.Expr) -> list[Row]:
         """Run a query and return its rows, each by the names of its columns."""
         text = self.engine.text(query)
-        return self._asked(lambda: self.driver.rows(text), text)
+        return self._answer(lambda: self.driver.rows(text), text)
 
     def now(self) -> int:
         """Return this instant by the clock of the database, in microseconds since 1970 (UTC)."""
@@ -204,26 +206,26 @@ class Session:
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Run a query into a temporary table and return the node that reads it."""
         table = self._new(step)
-        self._asked(lambda: self.driver.keep(table, query), step)
-        self._made[table.name] = table
+        self._answer(lambda: self.driver.keep(table, query), step)
+        self._tables[table.name] = table
         return table.copy()
 
     def load(self, rows: pa.Table) -> exp.Table:
         """Return the node that reads an Arrow table of ours, until it is forgotten."""
         table = self._new("arrow")
-        self._made[table.name] = table  # also where it is filled in part only: its name is not free then
-        self._asked(lambda: self.driver.ingest(table, rows), "arrow")
+        self._tables[table.name] = table  # also where it is filled in part only: its name is taken then
+        self._answer(lambda: self.driver.ingest(table, rows), "arrow")
         return table.copy()
 
-    def forget(self, kept: exp.Table) -> None:
+    def forget(self, table: exp.Table) -> None:
         """Drop a table made by :meth:`keep`, or let go of one given to :meth:`load`.
 
         In a transaction that has failed that cannot be done, and closing does it: what failed is told.
         """
         with contextlib.suppress(*self.driver.errors):
-            self.driver.drop(kept)
-            del self._made[kept.name]
-            if not self._made and not self._defined:  # many a session is never closed
+            self.driver.drop(table)
+            del self._tables[table.name]
+            if not self._tables and not self._defined:  # many a session is never closed
                 self._give_back()
 
     def define(self, step: str, query: exp.Query, parameters: Sequence[str]) -> str:
@@ -264,10 +266,10 @@ class Session:
         """Return how far the running statement is, in percent; negative if it is not known."""
         return -1.0
 
-    def _is_among(self, node: exp.Expr, known: Sequence[tuple[str, ...]]) -> bool:
+    def _is_among(self, node: exp.Expr, tables: Sequence[tuple[str, ...]]) -> bool:
         """Tell whether the last parts of some known name are those of a node."""
         parts = tuple(part.name for part in node.parts)  # type: ignore[attr-defined]
-        return any(parts == name[-len(parts) :] for name in known)
+        return any(parts == name[-len(parts) :] for name in tables)
 
     def _unknown(self, shown: str, hint: str) -> str:
         where = f"in this {self.engine.title} database"
@@ -277,7 +279,7 @@ class Session:
         """Return a name that no other session of this process has."""
         if self._number is None:
             with _TAKING:
-                self._number = next(one for one in itertools.count() if one not in _NUMBERS)
+                self._number = next(number for number in itertools.count() if number not in _NUMBERS)
                 _NUMBERS.add(self._number)
         return f"gam_{self._number}_{step}"
 
@@ -289,13 +291,13 @@ class Session:
 
     def _new(self, step: str) -> exp.Table:
         # A name that is free again comes again, and with it the texts that hold it.
-        own = self._numbered(step)
-        names = (f"{own}_{number}" for number in itertools.count())
-        name = next(name for name in names if name not in self._made)
+        prefix = self._numbered(step)
+        names = (f"{prefix}_{number}" for number in itertools.count())
+        name = next(name for name in names if name not in self._tables)
         schema = self.engine.temporary
         return exp.Table(this=template.name(name), db=schema and template.name(schema))
 
-    def _asked(self, question: Callable[[], T], statement: str = "") -> T:
+    def _answer(self, question: Callable[[], T], statement: str = "") -> T:
         try:
             return question()
         except self.driver.errors as error:

@@ -21,8 +21,8 @@ class Storage:
     comments: Literal["apart", "inside", "none"] = "apart"
     view_comments: bool = True  # whether views have some, too, where they stand inside
     #: How the comment of the whole is written there.
-    note: Note = lambda said: exp.SchemaCommentProperty(this=said)
-    column_note: Note = lambda said: exp.CommentColumnConstraint(this=said)  # the same of a column
+    note: Note = lambda comment: exp.SchemaCommentProperty(this=comment)
+    column_note: Note = lambda comment: exp.CommentColumnConstraint(this=comment)  # the same of a column
     #: What is said of the storage of a table.
     properties: Callable[["Definition"], Sequence[exp.Expr]] = lambda _: ()
     temporary: Sequence[exp.Expr] = ()  # the same of a temporary table
@@ -63,8 +63,8 @@ class Storage:
 
     def _comment(self, column: exp.ColumnDef, comments: Mapping[str, exp.Expr]) -> None:
         """Write the comment of a column inside its definition."""
-        said = self.column_note(comments[column.name].copy())
-        column.append("constraints", exp.ColumnConstraint(kind=said))
+        constraint = self.column_note(comments[column.name].copy())
+        column.append("constraints", exp.ColumnConstraint(kind=constraint))
 
 
 #: As most do.
@@ -99,9 +99,9 @@ def _about(table: exp.Table, columns: Mapping[str, exp.Expr]) -> list[exp.Expr]:
         exp.Comment(
             this=exp.Column(this=exp.to_identifier(name), table=table.this, db=table.args.get("db")),
             kind="COLUMN",
-            expression=said.copy(),
+            expression=comment.copy(),
         )
-        for name, said in columns.items()
+        for name, comment in columns.items()
     ]
 
 
@@ -110,12 +110,14 @@ def _key_index(definition: Definition, texts: bool) -> exp.Expr:
     table = definition.create.this.this
     kinds = {column.name: column.kind for column in definition.create.this.expressions}
     key = [
-        one for one in definition.key if texts or not kinds[one.name].is_type(*exp.DataType.TEXT_TYPES)
+        column
+        for column in definition.key
+        if texts or not kinds[column.name].is_type(*exp.DataType.TEXT_TYPES)
     ]
     index = exp.Index(
         this=exp.to_identifier(f"{table.name}_key", quoted=True),
         table=table.copy(),
-        params=exp.IndexParameters(columns=[exp.Ordered(this=one) for one in key]),
+        params=exp.IndexParameters(columns=[exp.Ordered(this=column) for column in key]),
     )
     return exp.Create(this=index, kind="INDEX", exists=True)
 

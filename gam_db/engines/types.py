@@ -55,9 +55,13 @@ class Types:
         if kind.this in _INTEGERS:
             return TimeKind.COUNTER
         # What is in brackets behind a type: its digits, a zone.
-        said = [str(one.this.this) for one in kind.expressions if isinstance(one, exp.DataTypeParam)]
-        digits = next((int(one) for one in said if one.isdecimal()), 0)
-        zoned = kind.this in _ZONED or any(not one.isdecimal() for one in said)
+        parameters = [
+            str(parameter.this.this)
+            for parameter in kind.expressions
+            if isinstance(parameter, exp.DataTypeParam)
+        ]
+        digits = next((int(parameter) for parameter in parameters if parameter.isdecimal()), 0)
+        zoned = kind.this in _ZONED or any(not parameter.isdecimal() for parameter in parameters)
         return _KINDS[kind.this is _Type.TIMESTAMP_NS or digits > 6, zoned]
 
     is_numeric = _among(_NUMBERS)  # truth is none

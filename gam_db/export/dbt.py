@@ -49,7 +49,7 @@ REQUIRED = [">=1.10.5", "<2.0.0"]
 _HOUR = 3_600_000_000
 
 #: Columns that a package has and the state tables have not.
-_OWN = {
+_PACKAGE_COLUMNS = {
     "calibration_no": "Which rule of calibration applies: 0 the general one, 1, 2, ... the overrides"
 }
 
@@ -189,7 +189,7 @@ def project_name(prefix: str) -> str:
 def project(of: Modelled) -> str:
     """Return dbt_project.yml."""
     name = project_name(of.prefix)
-    said = {
+    config = {
         "name": name,
         "version": __version__,
         "config-version": 2,
@@ -198,16 +198,16 @@ def project(of: Modelled) -> str:
         "model-paths": ["models"],
         "test-paths": ["tests"],
     }
-    return f"{mark(of.prefix)}\n{yaml_text.text(said)}"
+    return f"{mark(of.prefix)}\n{yaml_text.text(config)}"
 
 
 def profiles(of: Modelled) -> str:
     """Return profiles.example.yml, to be filled in as profiles.yml."""
     target = {"type": of.adapter["package"].removeprefix("dbt-"), **of.adapter["profile"], "threads": 1}
-    said = {project_name(of.prefix): {"target": "plant", "outputs": {"plant": target}}}
+    config = {project_name(of.prefix): {"target": "plant", "outputs": {"plant": target}}}
     return (
         "# Copy this to profiles.yml and say where your warehouse is; schema, or dataset, is where the\n"
-        f"# models go.\n{yaml_text.text(said)}"
+        f"# models go.\n{yaml_text.text(config)}"
     )
 
 
@@ -264,8 +264,8 @@ def _described(of: Modelled, model: Model) -> dict[str, Any]:
 
 
 def _meaning(table: str, column: str) -> str:
-    if column in _OWN:
-        return _OWN[column]
+    if column in _PACKAGE_COLUMNS:
+        return _PACKAGE_COLUMNS[column]
     for name in (table, *_ELSEWHERE):
         columns = definitions()[name].columns
         if column in columns:
@@ -278,8 +278,8 @@ def _is_always_there(table: str, column: str) -> bool:
     for name in (table, "channel", "version"):
         definition = definitions()[name]
         if column in definition.columns and not definition.is_view:
-            (found,) = (one for one in definition.create.this.expressions if one.name == column)
-            return found.find(exp.NotNullColumnConstraint) is not None
+            (column_node,) = (node for node in definition.create.this.expressions if node.name == column)
+            return column_node.find(exp.NotNullColumnConstraint) is not None
     return False
 
 

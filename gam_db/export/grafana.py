@@ -40,15 +40,18 @@ def write(
         raise wrong("grafana_no_source", engine=engine, names=", ".join(SOURCES))
     if "$" in f"{tables.schema or ''}{monitor}":
         raise wrong("grafana_variable")
-    asked = queries(engine, tables, monitor)
-    made = {DASHBOARD: dashboard(engine, asked), ALERT: alert(engine, asked["alert"], uid)}
+    queries_by_name = queries(engine, tables, monitor)
+    files = {
+        DASHBOARD: dashboard(engine, queries_by_name),
+        ALERT: alert(engine, queries_by_name["alert"], uid),
+    }
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for name, text in made.items():
+        for name, text in files.items():
             data.put(folder / name, text.encode())
     except OSError as error:
         raise unwritable(folder, error) from error
-    return [folder / name for name in made]
+    return [folder / name for name in files]
 
 
 def queries(engine: str, tables: StateTables, monitor: str) -> dict[str, str]:
@@ -62,40 +65,42 @@ def queries(engine: str, tables: StateTables, monitor: str) -> dict[str, str]:
         "shown": exp.var("$__timeFilter(last_time)"),
     }
     for role in ("asset", "channel"):
-        slots[f"{role}_value"] = said = exp.column(role)
+        slots[f"{role}_value"] = role_column = exp.column(role)
         if source["escapes"]:  # Grafana doubles the quotes of a value, and leaves its backslashes
             doubled = (exp.Literal.string("\\"), exp.Literal.string("\\\\"))
-            slots[f"{role}_value"] = exp.Anonymous(this="replaceAll", expressions=[said, *doubled])
-    found: dict[str, str] = {}
+            slots[f"{role}_value"] = exp.Anonymous(
+                this="replaceAll", expressions=[role_column, *doubled]
+            )
+    texts: dict[str, str] = {}
     for name in ("assets", "channels", "counts", "machines", "ranked", "indicator", "signals", "alert"):
         path = f"export/grafana_{name}"
         wanted = template.load(path).slots
         tree = filled(path, {slot: value for slot, value in slots.items() if slot in wanted})
-        place(tree, tables.placed())
-        found[name] = writer.text(tree, pretty=True)
-    return found
+        place(tree, tables.nodes())
+        texts[name] = writer.text(tree, pretty=True)
+    return texts
 
 
-def dashboard(engine: str, asked: Mapping[str, str]) -> str:
+def dashboard(engine: str, queries_by_name: Mapping[str, str]) -> str:
     """Return the dashboard as classic JSON: the one beside this file, for a data source."""
-    source, made = SOURCES[engine], json.loads(data.text("gam_db.export", "dashboard.json"))
-    origin, *variables = made["templating"]["list"]
+    source, board = SOURCES[engine], json.loads(data.text("gam_db.export", "dashboard.json"))
+    origin, *variables = board["templating"]["list"]
     origin["query"] = source["plugin"]
-    for one in (*variables, *made["panels"]):
-        one["datasource"]["type"] = source["plugin"]
-    for one in variables:
-        one["query"] = asked[one["query"]]
-    for one in made["panels"]:
-        (target,) = one["targets"]
-        says = source["series" if one["type"] in ("state-timeline", "timeseries") else "rows"]
-        target |= {"rawSql": asked[target["rawSql"]], **says}
-    return json.dumps(made, sort_keys=True, indent=1) + "\n"
+    for part in (*variables, *board["panels"]):
+        part["datasource"]["type"] = source["plugin"]
+    for variable in variables:
+        variable["query"] = queries_by_name[variable["query"]]
+    for panel in board["panels"]:
+        (target,) = panel["targets"]
+        says = source["series" if panel["type"] in ("state-timeline", "timeseries") else "rows"]
+        target |= {"rawSql": queries_by_name[target["rawSql"]], **says}
+    return json.dumps(board, sort_keys=True, indent=1) + "\n"
 
 
 def alert(engine: str, sql: str, uid: str) -> str:
     """Return the alert rule as YAML of Grafana's provisioning: one alert per signal that is above."""
-    said = json.loads(data.text("gam_db.export", "alert.json"))
-    asked, _ = said["groups"][0]["rules"][0]["data"]
-    asked["datasourceUid"] = uid
-    asked["model"] |= {"rawSql": sql, **SOURCES[engine]["rows"]}
-    return yaml_text.text(said)
+    rules = json.loads(data.text("gam_db.export", "alert.json"))
+    query, _ = rules["groups"][0]["rules"][0]["data"]
+    query["datasourceUid"] = uid
+    query["model"] |= {"rawSql": sql, **SOURCES[engine]["rows"]}
+    return yaml_text.text(rules)

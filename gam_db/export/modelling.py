@@ -138,7 +138,7 @@ class _Files:
     def model(self, name: str, keys: tuple[str, ...]) -> Model:
         """Return the model of a step."""
         of = self.of
-        comment = self.package.steps[name].made.comment
+        comment = self.package.steps[name].definition.comment
         stem = name.rpartition("_")[2]
         folder = "intermediate"
         if name in CHECKS:

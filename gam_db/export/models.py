@@ -116,9 +116,15 @@ class Modelled:
     @property
     def setting(self) -> Setting:
         """The parameters of all channels."""
-        one, gap = self.method.settings[0], self.method.gaps[0]
-        figures = (one.m, one.tau, one.grid, one.window, one.bucket_length)
-        return Setting(*figures, gap, True, one.still_after, self.method.programs)
+        parameters, gap = self.method.settings[0], self.method.gaps[0]
+        figures = (
+            parameters.m,
+            parameters.tau,
+            parameters.grid,
+            parameters.window,
+            parameters.bucket_length,
+        )
+        return Setting(*figures, gap, True, parameters.still_after, self.method.programs)
 
     @property
     def calibrated(self) -> Mapping[str, tuple[str, ...]]:
@@ -129,10 +135,10 @@ class Modelled:
     @cached_property
     def settings_hash(self) -> str:
         """What tells whether tables were built under the settings of this package."""
-        read = {key: said for key, said in described(self.source).items() if key != "source"}
+        read = {key: text for key, text in described(self.source).items() if key != "source"}
         read |= self.source.written
         calibration = self.method.calibration
-        said = (
+        settings = (
             self.setting,
             sorted(self.parts),
             float(self.method.settings[0].target_floor),
@@ -145,7 +151,7 @@ class Modelled:
             self.source.value_columns,
             self.method.kind.value,
         )
-        return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
+        return hashlib.sha256(repr(settings).encode()).hexdigest()[:16]
 
     def reference(self, name: str) -> exp.Table:
         """Return the node that reads a model."""
@@ -217,15 +223,15 @@ def _take(
     """Add to a package what the targets need; what has the name of another step gets the prefix."""
     names = {f"stored_{name}": name for name in (*CALIBRATED, "bucket")}
     for step in steps.needed(targets):
-        tables = {read: names.get(read, read) for read in step.made.tables}
+        tables = {read: names.get(read, read) for read in step.definition.tables}
         inputs = {read: name for read, name in tables.items() if name in package.steps}
-        added = Step.of(step.name, step.query, step.made.comment, inputs)
+        added = Step.of(step.name, step.query, step.definition.comment, inputs)
         name = targets.get(step.name, step.name)
         if step.name not in targets and (name in reserved or _differs(package, name, added)):
             name = f"{prefix}{name}"
         names[step.name] = name
         if name not in package.steps or _differs(package, name, added):
-            package.add(name, step.query, step.made.comment, tables)
+            package.add(name, step.query, step.definition.comment, tables)
 
 
 def _differs(package: Pipeline, name: str, step: Step) -> bool:
@@ -279,15 +285,15 @@ def _learning(of: Modelled) -> Pipeline:
     _add_samples(steps, of, exp.true())
     add(steps, "calibration/calibrated")
     add_taught_programs(steps, of.method.programs)
-    one = OfSet(steps, of.method, 0)
-    add_calibration(one)
-    add_judgement(one)
-    add_judged_programs(one)
+    set_steps = OfSet(steps, of.method, 0)
+    add_calibration(set_steps)
+    add_judgement(set_steps)
+    add_judged_programs(set_steps)
     nothing = exp.select(exp.alias_(exp.null(), "support_id")).where(exp.false())
     if "curve" not in of.parts:
         steps.replace("outlook", nothing)
     if "probe" in of.parts:
-        add_probe(one)
+        add_probe(set_steps)
     else:
         steps.add("sight", nothing)
     add_certified(steps, bool(of.method.pools), of.setting.has_programs)
@@ -323,17 +329,17 @@ def _scoring(of: Modelled) -> Pipeline:
         add(steps, "stored/scoring/judged_programs")
         judged = {"numbered_programs": "judged_programs"}
         add(steps, "program/program_samples", name=JUDGED, tables=judged)
-    one = OfSet(steps, method_of(setting, of.method.kind), 0)
-    is_told = setting.still_after is not None
-    add_numbered(one, carried=["still_so_far"] * is_told)
-    add_buckets(one, ENDS | ({"still_so_far": "end_still"} if is_told else {}))
+    set_steps = OfSet(steps, method_of(setting, of.method.kind), 0)
+    has_stillness = setting.still_after is not None
+    add_numbered(set_steps, carried=["still_so_far"] * has_stillness)
+    add_buckets(set_steps, ENDS | ({"still_so_far": "end_still"} if has_stillness else {}))
     add(steps, "stored/scoring/bucket_ends")
     add(steps, "stored/scoring/new_buckets", {"differing": []})
     add(steps, "export/past_buckets", {"buckets": setting.window_length // setting.stride})
     running = union_of(steps, ["past_buckets", "new_buckets"], ["channel_id", "bucket_no", "novel"])
     comment = "Running buckets: the new ones, after the last window of those that stay."
     steps.add("running_buckets", running, comment)
-    one.add("health/bucket_counts", tables={"buckets": "running_buckets"})
+    set_steps.add("health/bucket_counts", tables={"buckets": "running_buckets"})
     add(steps, "export/bucket_rows")
     add(steps, "export/ended_buckets")
     return steps

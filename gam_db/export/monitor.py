@@ -82,7 +82,7 @@ class _RunScript:
         active = monitor.state.rows("stored/state/active", {"monitor_id": self.monitor_id})
         ranged = [version for version in active if version["lo"] is not None]
         self.lists = self._listed(reader.with_programs(ranged))
-        self.script = Script(self.engine, monitor.tables.placed())
+        self.script = Script(self.engine, monitor.tables.nodes())
         #: Of each list its shape and channels, what its tables are called by, and its tables.
         self.scored: list[tuple[Shape, Sequence[Row], str, dict[str, exp.Table]]] = []
         silent = lengths.park_after(monitor.park_after, self.kind)
@@ -191,7 +191,7 @@ class _RunScript:
         plan, of_run = counting(shape), dict(script.tables)
         # Of the steps of the run alone: others of the same name are the list's.
         shared = {name: table for name, table in of_run.items() if name in _SHARED}
-        script.tables = dict(self.monitor.tables.placed()) | shared
+        script.tables = dict(self.monitor.tables.nodes()) | shared
         queries = {"past_missing": filled("stored/scoring/past_missing")}
         for table, step in former(setting.has_programs).items():
             slots = former_slots(table, exp.true(), exp.true(), setting.has_programs)
@@ -219,7 +219,7 @@ class _RunScript:
                 query, comment = queries[name].copy(), template.load(f"stored/scoring/{name}").comment
             else:
                 query = plan.steps.query(name, script.tables, commented=True)
-                comment = plan.steps.steps[name].made.comment
+                comment = plan.steps.steps[name].definition.comment
             if kind is Kind.TABLE:
                 script.keep(name, query, comment, f"{name}{suffix}")
             elif kind is Kind.VERIFY:
@@ -243,7 +243,7 @@ class _RunScript:
         assert isinstance(stamp, exp.Select)
         for table in script.verified:
             stamp.join(table.copy(), join_type="cross", copy=False)
-        script.keep("stamp", stamp, steps.steps["stamp"].made.comment)
+        script.keep("stamp", stamp, steps.steps["stamp"].definition.comment)
         for shape, versions, suffix, tables_of_list in self.scored:
             of_run = script.tables
             script.tables = tables_of_list | {"stamp": of_run["stamp"]}

@@ -11,7 +11,7 @@ from sqlglot import exp
 from gam_db.composing.brief import shortened
 from gam_db.composing.layout import commented, laid_out
 from gam_db.composing.pipeline import Pipeline, selected_from
-from gam_db.composing.selects import own_columns, sources_of, step_of
+from gam_db.composing.selects import direct_columns, sources_of, step_of
 from gam_db.composing.tidy import inlined, tidied
 from gam_db.engines.base import Engine
 from gam_db.method.parts import RESULTS
@@ -21,7 +21,7 @@ VIEWS = (
     *("samples", "history", "codes", "breaking_codes", "moving_codes", "vectors", "novelty"),
     *("health_indicator", "health"),
 )
-KEPT = (
+OBJECTS = (
     *("samples", "history", "codes", "breaking_codes", "moving_codes", "vectors", "novelty"),
     *("channels", "bounds", "visits", "support", "blocks", "support_summary"),
 )
@@ -73,7 +73,7 @@ class Script:
         readers = [reader for reader in tidy_steps.values() if reads(reader, "readings")]
         if len(readers) == 1:
             inlined(readers[0], "readings", tidy_steps.pop("readings"))
-        objects = self._kept(tidy_steps) if self.results == results else list(tidy_steps)
+        objects = self._objects(tidy_steps) if self.results == results else list(tidy_steps)
         inline_single(tidy_steps, objects)
         columns = dict(tidy_steps)
         return {name: shortened(query, self.engine.brief, columns) for name, query in tidy_steps.items()}
@@ -82,7 +82,7 @@ class Script:
         """Give the statements of the view form, in one transaction where that undoes them."""
         engine, queries = self.engine, self._tidied(self.results)
         self.engine = engine.unordered()
-        objects = self._kept(queries)
+        objects = self._objects(queries)
         passing = self._passing(objects, queries)
         is_new = engine.swaps == "rename"
         tables = {name: named(f"{'new_' * is_new}{self.names.get(name, name)}") for name in objects}
@@ -151,10 +151,10 @@ class Script:
         tables = [name for name in objects if self._kind(name) == "TABLE"]
         return [name for name in tables if name not in read and name not in self.results]
 
-    def _kept(self, queries: Mapping[str, exp.Query]) -> list[str]:
+    def _objects(self, queries: Mapping[str, exp.Query]) -> list[str]:
         """Return the steps that are tables or views: the others have one reader among these."""
         return owners_of(
-            queries, lambda name, owners: name in self.results or _stem(name) in KEPT or owners > 1
+            queries, lambda name, owners: name in self.results or _stem(name) in OBJECTS or owners > 1
         )
 
     def _kind(self, name: str) -> str:
@@ -167,14 +167,16 @@ class Script:
         tables: Mapping[str, exp.Table],
         commented: bool = False,
     ) -> exp.Query:
-        comments = {step: of.made.comment for step, of in self.steps.steps.items()} if commented else {}
+        comments = (
+            {step: of.definition.comment for step, of in self.steps.steps.items()} if commented else {}
+        )
         return composed(name, queries, tables, self.taken, comments)
 
     def _text(self, tree: exp.Expr) -> str:
         return laid_out(self.engine.text(tree), self.engine.dialect)
 
     def _comment(self, name: str) -> str:
-        first, *_ = SENTENCE.split(self.steps.steps[name].made.comment, 1)
+        first, *_ = SENTENCE.split(self.steps.steps[name].definition.comment, 1)
         return "\n".join(commented(PAGES.sub("", first)))
 
 
@@ -224,9 +226,9 @@ def spelled_out(name: str, queries: Mapping[str, exp.Query], tables: Collection[
     needed: set[str] = set()
     pending = [name]
     while pending:
-        found = read_by(queries[pending.pop()], queries) - needed - set(tables)
-        needed |= found
-        pending += found
+        inputs = read_by(queries[pending.pop()], queries) - needed - set(tables)
+        needed |= inputs
+        pending += inputs
     return [step for step in queries if step in needed]
 
 
@@ -258,7 +260,7 @@ def owners_of(queries: Mapping[str, exp.Query], is_object: Callable[[str, int], 
 def _place(query: exp.Query, tables_by_step: dict[str, exp.Table]) -> None:
     """Let a query read tables; one of which no column is named by it keeps its own name."""
     for select in query.find_all(exp.Select):
-        named = {column.table for column in own_columns(select)}
+        named = {column.table for column in direct_columns(select)}
         steps = [step_of(source, tables_by_step) for source, _ in sources_of(select)]
         for source, _ in sources_of(select):
             if (step := step_of(source, tables_by_step)) is not None:

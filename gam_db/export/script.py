@@ -101,12 +101,13 @@ def render(
     chosen = engine_named(engine)
     if schema is not None and not chosen.schemas:
         raise EngineError(f"{engine} has no schemas; leave schema out and give another prefix.")
-    source, kind, found, relation, is_whole = _looked_at(source, parameters, calibration, chosen)
+    source, kind, is_sure, relation, is_whole = _looked_at(source, parameters, calibration, chosen)
     programs = None if source.program is None else Programs(source.program, is_whole is True)
     method = Method(parameters, calibration, kind, programs=programs)
     head = [
         _described(parameters),
-        f"Time: {kind.value}" + ("." if found else ", assumed; say time_kind='timestamp' if it is not."),
+        f"Time: {kind.value}"
+        + ("." if is_sure else ", assumed; say time_kind='timestamp' if it is not."),
     ]
     if programs is not None and is_whole is None:
         head.append(f"Programs are numbered by their texts, though {programs.column} may hold numbers.")
@@ -175,20 +176,20 @@ class _Statements:
         lasting = [name for name in steps.steps if _table_of(name) in _LASTING]
         queries = self._tidied([*lasting, *self.results, *views])
         names = [name for name in queries if _table_of(name) in (*_PASSING, *_LASTING)]
-        placed: dict[str, exp.Table] = {}
+        tables: dict[str, exp.Table] = {}
         yield "Begin anew: a view goes before the tables it reads.", _drop("VIEW", place("health"))
         if len(views) > 1:
             yield "So does what machines ran since.", _drop("VIEW", place("program_summary"))
         for name in (*names, *self.results):
             table = place(name)
-            query = self._composed(name, queries, placed)
+            query = self._composed(name, queries, tables)
             yield f"{name}: {engine.name} keeps this step as a table.", _drop("TABLE", table)
-            yield steps.steps[name].made.comment, engine.create_table(table, query)
-            placed[name] = table
-        live = {name: table for name, table in placed.items() if name in lasting}
+            yield steps.steps[name].definition.comment, engine.create_table(table, query)
+            tables[name] = table
+        live = {name: table for name, table in tables.items() if name in lasting}
         for name, called, about in zip(views, ("health", "program_summary"), _ABOUT, strict=False):
             view = self._composed(name, queries, live)
-            comment = f"{about}{steps.steps[name].made.comment}"
+            comment = f"{about}{steps.steps[name].definition.comment}"
             yield comment, exp.Create(this=place(called), kind="VIEW", expression=view)
         if engine.of_signal is not None and engine.swaps == "replace":
             yield OF_SIGNAL, engine.of_signal(place("health_of"), place("health"))
@@ -217,7 +218,7 @@ class _Statements:
     def _composed(
         self, name: str, queries: Mapping[str, exp.Query], tables: Mapping[str, exp.Table]
     ) -> exp.Query:
-        comments = {step: made.made.comment for step, made in self.steps.steps.items()}
+        comments = {step: of.definition.comment for step, of in self.steps.steps.items()}
         read = self.steps.steps["readings"].query.find_all(exp.Table)
         # Where an alias goes before a column, a step must not be called as a column is.
         is_apart = "names" in self.engine.brief
@@ -269,9 +270,9 @@ def _looked_at(
     if declared is not None:
         return source, declared, True, node, None
     pairs = (*(calibration.intervals or ()), *calibration.exclude)
-    given = [calibration.duration, calibration.score_from, *(end for pair in pairs for end in pair)]
-    given += [variant.max_gap for variant in parameters.variants()]
-    calendar = any(value is not None and looks_like_calendar(value) for value in given)
+    times = [calibration.duration, calibration.score_from, *(end for pair in pairs for end in pair)]
+    times += [variant.max_gap for variant in parameters.variants()]
+    calendar = any(value is not None and looks_like_calendar(value) for value in times)
     return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar, node, None
 
 

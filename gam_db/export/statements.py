@@ -43,7 +43,7 @@ class Script:
     def step(self, steps: Pipeline, name: str, called: str = "") -> None:
         """Make a temporary table of the rows of a step."""
         query = steps.query(name, self.tables, commented=True)
-        self.keep(name, query, steps.steps[name].made.comment, called)
+        self.keep(name, query, steps.steps[name].definition.comment, called)
 
     def verify(self, query: exp.Query, sentence: str, comment: str = "") -> None:
         """End the script with an error where a query has a row."""
@@ -61,7 +61,7 @@ class Script:
     def append(self, steps: Pipeline, name: str, table: str, comment: str = "") -> None:
         """Append the rows of a step to a table of the state."""
         query = steps.query(name, self.tables, commented=True)
-        comment = comment or steps.steps[name].made.comment
+        comment = comment or steps.steps[name].definition.comment
         self.add(insertion(self.tables[f"stored_{table}"].copy(), tidied(query)), comment)
 
     def add(self, statement: exp.Expr, comment: str = "") -> None:

@@ -36,14 +36,14 @@ def _is_nested(value: Any) -> bool:
     """Tell whether a value takes lines of its own: a mapping, or a list that holds one."""
     if isinstance(value, Mapping):
         return bool(value)
-    return _is_list(value) and any(isinstance(one, Mapping) for one in value)
+    return _is_list(value) and any(isinstance(part, Mapping) for part in value)
 
 
 def _inline(value: Any) -> str:
     if isinstance(value, Mapping):
         return "{}"
     if _is_list(value):
-        return f"[{', '.join(_scalar(one, is_listed=True) for one in value)}]"
+        return f"[{', '.join(_scalar(part, is_listed=True) for part in value)}]"
     return _scalar(value)
 
 

@@ -112,39 +112,41 @@ def _texts(rows: pa.Table, column: str) -> NDArray[Any]:
     return np.array(rows[column].to_pylist(), dtype=object)
 
 
-def _meant(asset: str | None, channel: str | None, known: Sequence[tuple[str, str]]) -> tuple[str, str]:
+def _meant(
+    asset: str | None, channel: str | None, signals: Sequence[tuple[str, str]]
+) -> tuple[str, str]:
     """Return the signal that is meant, of those that there are."""
-    fitting = [name for name in known if asset in (None, name[0]) and channel in (None, name[1])]
+    fitting = [name for name in signals if asset in (None, name[0]) and channel in (None, name[1])]
     if len(fitting) == 1:
         return fitting[0]
-    shown = [" / ".join(name) for name in known]
+    shown = [" / ".join(name) for name in signals]
     if fitting:
         raise wrong("several_signals_to_plot", count=len(fitting), names=", ".join(shown[:_NAMED]))
-    asked = " / ".join("*" if one is None else one for one in (asset, channel))
-    raise ConfigurationError(f"There is no signal {asked!r}{nearest(asked, shown, _NAMED)}")
+    signal = " / ".join("*" if part is None else part for part in (asset, channel))
+    raise ConfigurationError(f"There is no signal {signal!r}{nearest(signal, shown, _NAMED)}")
 
 
 def _read(
     results: Monitor | pa.Table | str | Path, support: pa.Table | None
 ) -> tuple[pa.Table, dict[tuple[str, str], float | None]]:
     """Return what is drawn: rows of the indicator, and the limit of each signal."""
-    known: pa.Table
+    limit_rows: pa.Table
     if not isinstance(results, (Monitor, str, Path)):
         if not hasattr(results, "__arrow_c_stream__"):
             raise wrong("nothing_to_plot", kind=type(results).__name__)
-        rows, known = _of_table(arrow_table(results)), support
+        rows, limit_rows = _of_table(arrow_table(results)), support
     elif support is not None:
         raise wrong("limits_to_plot_twice")
     elif isinstance(results, Monitor):
-        rows, known = results.health(), results.status()
+        rows, limit_rows = results.health(), results.status()
         time = rows["last_tick"] if rows["last_time"].null_count == rows.num_rows else rows["last_time"]
         rows = rows.select(["asset", "channel", "hi"]).append_column("time", time)
     else:
-        rows, known = _of_file(Path(results))
-    if known is None:
+        rows, limit_rows = _of_file(Path(results))
+    if limit_rows is None:
         names = rows.group_by(["asset", "channel"], use_threads=False).aggregate([])
         return rows, {(row["asset"], row["channel"]): None for row in names.to_pylist()}
-    limits = {(row["asset"], row["channel"]): row["hi_limit"] for row in known.to_pylist()}
+    limits = {(row["asset"], row["channel"]): row["hi_limit"] for row in limit_rows.to_pylist()}
     return rows, limits
 
 
@@ -171,7 +173,7 @@ def _of_file(path: Path) -> tuple[pa.Table, pa.Table]:
     beside = path.with_name(
         f"{path.name.removesuffix(_ENDING).removesuffix('.health')}.support{_ENDING}"
     )
-    for one in (path, beside):
-        if path.suffix != _ENDING or not one.is_file():
-            raise wrong("no_result_to_plot", one=one, ending=_ENDING)
+    for file in (path, beside):
+        if path.suffix != _ENDING or not file.is_file():
+            raise wrong("no_result_to_plot", one=file, ending=_ENDING)
     return (pq.read_table(path, columns=list(wanted[0])), pq.read_table(beside, columns=list(wanted[1])))

@@ -80,19 +80,21 @@ class NoveltyDetector(OutlierMixin, BaseEstimator):  # type: ignore[misc]
         self._healthy = validate_data(
             self, X, dtype=np.float64, ensure_all_finite="allow-nan", ensure_min_samples=2
         )
-        asked = {name: getattr(self, name) for name in ("m", "tau", "bins", "window", "target_floor")}
-        asked["max_gap"] = 1  # no vector reaches from one recording into another
-        asked["least_vectors"] = 1  # a detector judges by what it was given, as all of its kind do
+        settings = {name: getattr(self, name) for name in ("m", "tau", "bins", "window", "target_floor")}
+        settings["max_gap"] = 1  # no vector reaches from one recording into another
+        settings["least_vectors"] = 1  # a detector judges by what it was given, as all of its kind do
         source, calibration = self._source(self._healthy), Calibration(fraction=1.0)
         with borrowed(None) as session:
-            self.parameters_ = Study(session, source, Parameters(**asked), calibration).method.parameters
+            self.parameters_ = Study(
+                session, source, Parameters(**settings), calibration
+            ).method.parameters
             learnt = support(source, self.parameters_, calibration, session).to_pylist()
         verdict = {row["channel"]: row["verdict"] for row in learnt}
         names = getattr(self, "feature_names_in_", source.value_columns)
         _warn({str(name): verdict[of] for name, of in zip(names, source.value_columns, strict=True)})
         limits = {row["channel"]: row["hi_limit"] for row in learnt}
-        known = [limits[name] for name in source.value_columns]
-        self.limits_ = np.array([1.0 if limit is None else limit for limit in known])
+        feature_limits = [limits[name] for name in source.value_columns]
+        self.limits_ = np.array([1.0 if limit is None else limit for limit in feature_limits])
         self.offset_ = 0.0
         return self
 
@@ -114,14 +116,14 @@ class NoveltyDetector(OutlierMixin, BaseEstimator):  # type: ignore[misc]
         calibration = Calibration(intervals=[(0, before - 1)])
         with borrowed(None) as session:
             study = Study(session, source, self.parameters_, calibration)
-            found = study.table("health_indicator").select(["channel", "time", "novel_in_window"])
+            health = study.table("health_indicator").select(["channel", "time", "novel_in_window"])
         places = {name: place for place, name in enumerate(source.value_columns)}
-        channels = found["channel"].combine_chunks().dictionary_encode()
+        channels = health["channel"].combine_chunks().dictionary_encode()
         columns = np.array([places[name] for name in channels.dictionary.to_pylist()], np.int64)
         novel = np.full(rows.shape, np.nan)
-        at = found["time"].to_numpy() - before - 1
+        at = health["time"].to_numpy() - before - 1
         if len(at):
-            novel[at, columns[channels.indices.to_numpy()]] = found["novel_in_window"].to_numpy()
+            novel[at, columns[channels.indices.to_numpy()]] = health["novel_in_window"].to_numpy()
         last = np.maximum.accumulate(
             np.where(np.isnan(novel), -1, np.arange(len(rows))[:, None]), axis=0
         )
@@ -160,5 +162,7 @@ def _warn(verdicts: Mapping[str, str]) -> None:
         names = [name for name, of in verdicts.items() if of == verdict]
         if names:
             more = f" and {len(names) - _NAMED:,} more" if len(names) > _NAMED else ""
-            said = f"{', '.join(names[:_NAMED])}{more}: calibration is {verdict}, not ready: {advice}."
-            warnings.warn(said, CalibrationWarning, stacklevel=3)
+            message = (
+                f"{', '.join(names[:_NAMED])}{more}: calibration is {verdict}, not ready: {advice}."
+            )
+            warnings.warn(message, CalibrationWarning, stacklevel=3)

@@ -58,32 +58,39 @@ class OfSet:
 
         Slots that follow from the parameters are filled by their names (:mod:`gam_db.method.slots`).
         """
-        known, given, renamed = frozenset(self.steps.steps), dict(slots or {}), dict(tables or {})
+        step_names, filled_slots, renamed = (
+            frozenset(self.steps.steps),
+            dict(slots or {}),
+            dict(tables or {}),
+        )
 
         def inputs() -> dict[str, str]:
-            said = {table: renamed.get(table, table) for table in template.load(path).tables}
-            own = {table: self.named(step) for table, step in said.items()}
-            return {table: own[table] if own[table] in known else said[table] for table in said}
+            read_steps = {table: renamed.get(table, table) for table in template.load(path).tables}
+            steps_of_set = {table: self.named(step) for table, step in read_steps.items()}
+            return {
+                table: steps_of_set[table] if steps_of_set[table] in step_names else read_steps[table]
+                for table in read_steps
+            }
 
         self.steps.fill(
             self.named(name or path.rpartition("/")[2]),
             path,
-            lambda: self.slots(path, given),
+            lambda: self.slots(path, filled_slots),
             inputs,
         )
 
-    def slots(self, path: str, given: Mapping[str, template.Slot]) -> dict[str, template.Slot]:
+    def slots(self, path: str, filled_slots: Mapping[str, template.Slot]) -> dict[str, template.Slot]:
         """Return the slots of a file: those that are given, and what follows from the parameters."""
-        names = template.load(path).slots - given.keys()
-        own = {"settings_no": self.number, "max_gap": self.method.gaps[self.number]}
-        mine: dict[str, template.Slot] = {name: of for name, of in own.items() if name in names}
+        names = template.load(path).slots - filled_slots.keys()
+        set_slots = {"settings_no": self.number, "max_gap": self.method.gaps[self.number]}
+        mine: dict[str, template.Slot] = {name: of for name, of in set_slots.items() if name in names}
         if "settings" in names:
             mine["settings"] = [
                 exp.alias_(exp.column(name, table="scale"), name) for name in self.method.columns
             ]
         if "differing" in names:
             mine["differing"] = [exp.column("buckets")] * ("buckets" in self.method.columns)
-        return {**mine, **following(self.setting, names, self.method.columns), **given}
+        return {**mine, **following(self.setting, names, self.method.columns), **filled_slots}
 
 
 def add_stacked(

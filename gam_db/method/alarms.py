@@ -31,9 +31,9 @@ def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) 
     join_sets(steps, method, ("visits", "block_sizes"))
     add_counted(steps, method.has_instants)
     others: exp.Expr = _SETTINGS_NO
-    if method.asked is not None:
-        variants = list(dict.fromkeys(method.asked.variants()))
-        others = by_override(method.asked, variants.index)
+    if method.requested is not None:
+        variants = list(dict.fromkeys(method.requested.variants()))
+        others = by_override(method.requested, variants.index)
     add_spreads(steps, families, others=others)
 
 
@@ -64,18 +64,18 @@ def band_of(key: exp.Expr, bins: exp.Expr) -> exp.Expr:
 def add_spreads(
     steps: Pipeline,
     families: Sequence[str],
-    known: str | None = None,
+    learnt_step: str | None = None,
     others: exp.Expr = _SETTINGS_NO,
 ) -> None:
     """Add the spreads of *buffered*; the last step is *learnt_limits*.
 
     Families are patterns of channel names; others is the number of a channel's family that none of them
-    names. The step that is ``known`` has a row per channel with all else that calibration says; without
+    names. The step ``learnt_step`` has a row per channel with all else that calibration says; without
     one, that is said by the steps of a study.
     """
     steps.small |= set(_SMALL)
     reads = ("channels", "limited", "bounds", "order_ratios", "lengths", "block_sizes")
-    tables = {} if known is None else dict.fromkeys(reads, known)
+    tables = {} if learnt_step is None else dict.fromkeys(reads, learnt_step)
     add(steps, "alarms/block_roots", {"root": root_of("novel")}, tables=tables)
     add(steps, "alarms/spreads", _figures())
     rows = exp.union(*(_learnt(g, families, others) for g in (NEAR, FAR)), distinct=False)
@@ -116,7 +116,7 @@ def add_judged(steps: Pipeline, instant_of: TimeNode) -> None:
     add(steps, "alarms/episodes", times)
 
 
-def add_kept_judgements(steps: Pipeline, buckets: int, near: exp.Expr) -> None:
+def add_stored_judgements(steps: Pipeline, buckets: int, near: exp.Expr) -> None:
     """Add judgements over *judged_buckets* and *limit_spans* of a state, up to *opened*.
 
     Near is a condition on *bucket* that holds for the judgements before; a window has so many buckets.
@@ -170,8 +170,8 @@ def _chances(most: int) -> dict[str, template.Slot]:
 
 def _learnt(g: int, families: Sequence[str], number: exp.Expr) -> exp.Query:
     others = exp.Add(this=number.copy(), expression=exp.Literal.number(len(families)))
-    asked = ((named_like("channel", pattern) or exp.true(), n) for n, pattern in enumerate(families))
-    family = template.case(asked, others)
+    branches = ((named_like("channel", pattern) or exp.true(), n) for n, pattern in enumerate(families))
+    family = template.case(branches, others)
     for column in family.find_all(exp.Column):
         column.set("table", exp.to_identifier("named"))
     return filled("alarms/learnt_limits", {"g": g, "family_no": family})

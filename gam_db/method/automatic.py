@@ -13,7 +13,7 @@ from gam_db.composing.pipeline import Pipeline, union_of
 from gam_db.method.adding import OfSet, add, add_stacked
 from gam_db.method.certificate import coarse_key
 from gam_db.method.probe import CHANGES, FROZEN, paces
-from gam_db.method.slots import cell_key, code_in, coordinates, known, outside
+from gam_db.method.slots import all_present, cell_key, code_in, coordinates, outside
 from gam_db.method.vectors import add_last_codes
 from gam_db.settings.parameters import AUTO, RUNGS, Parameters
 
@@ -23,7 +23,7 @@ DELAYS = (1, 2, 3, 5, 8, 13, 21, 34, 55)
 STRETCH = 5000
 """Samples of each of the four stretches that are looked at where calibration has more than these."""
 
-_ASKED = ("shift +5 %", "shift -5 %", "shift +10 %", "shift -10 %")
+_PROBED_SHIFTS = ("shift +5 %", "shift -5 %", "shift +10 %", "shift -10 %")
 """Of the shifts those that count; of strokes and speeds all do."""
 
 #: Steps that are kept.
@@ -42,19 +42,19 @@ def rungs(setting: Parameters) -> tuple[int, ...]:
     return tuple(bins for bins in RUNGS if bins <= setting.grid)
 
 
-def add_taught_samples(one: OfSet) -> None:
+def add_taught_samples(set_steps: OfSet) -> None:
     """Add *taught_samples* of one set: its calibration samples in order, coded on the finest grid."""
     until = exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")
     read: dict[str, template.Slot] = {"read": until, "carried": [exp.column("value")]}
-    one.add("support/marked_codes", read, "automatic_codes")
-    codes = add_last_codes(one, "automatic_", ["calibrating", "value"])[0]
-    parted = [exp.column("calibrating").eq(0)] if one.method.is_cut() else []
-    if one.method.gaps[one.number] is not None:
+    set_steps.add("support/marked_codes", read, "automatic_codes")
+    codes = add_last_codes(set_steps, "automatic_", ["calibrating", "value"])[0]
+    parted = [exp.column("calibrating").eq(0)] if set_steps.method.is_cut() else []
+    if set_steps.method.gaps[set_steps.number] is not None:
         parted.append(exp.column("breaking").eq(1))
     piece: exp.Expr = exp.Literal.number(0)
     if parted:
         piece = template.fill("automatic/piece", {"parted": exp.or_(*parted)})
-    one.add("automatic/taught_samples", {"piece": piece}, tables={"codes": codes})
+    set_steps.add("automatic/taught_samples", {"piece": piece}, tables={"codes": codes})
 
 
 def scoring(setting: Parameters, grids: Sequence[int], delays: Sequence[int], usual: int) -> Pipeline:
@@ -68,7 +68,7 @@ def scoring(setting: Parameters, grids: Sequence[int], delays: Sequence[int], us
     """
     steps = Pipeline(small=_SMALL)
     add(steps, "automatic/sampled", {"stretch": STRETCH})
-    inside = exp.and_(known(setting), exp.not_(exp.paren(outside(setting))))
+    inside = exp.and_(all_present(setting), exp.not_(exp.paren(outside(setting))))
     add(steps, "automatic/usual_vectors", {"delayed": _embedded(setting, usual), "inside": inside})
     taught = [
         {
@@ -141,10 +141,10 @@ def _add_probe(steps: Pipeline, setting: Parameters, delays: Sequence[int]) -> N
     ).from_(exp.to_table("learners"))
     steps.add("learner_bounds", bounds, "Learner bounds: the range of each learner.")
     add(steps, "probe/usual", tables={"bounds": "learner_bounds"})
-    asked = [
+    numbered_changes = [
         (number, of)
         for number, of in enumerate(CHANGES, start=1)
-        if of.shift is None or of.name in _ASKED
+        if of.shift is None or of.name in _PROBED_SHIFTS
     ]
     changes = [
         {
@@ -155,7 +155,7 @@ def _add_probe(steps: Pipeline, setting: Parameters, delays: Sequence[int]) -> N
             "shift": of.shift,
             "stroke": of.stroke,
         }
-        for number, of in asked
+        for number, of in numbered_changes
     ]
     add_stacked(steps, "probe/changes", changes)
     moved = [f"y_{k}" for k in range(setting.m)]
@@ -165,7 +165,7 @@ def _add_probe(steps: Pipeline, setting: Parameters, delays: Sequence[int]) -> N
             exp.alias_(code_in(setting.grid, value=exp.column(name)), f"code_{k}")
             for k, name in enumerate(moved)
         ],
-        "known": known(setting),
+        "known": all_present(setting),
         "cell_key": cell_key(setting),
     }
     add(steps, "probe/changed", slots)
@@ -173,21 +173,21 @@ def _add_probe(steps: Pipeline, setting: Parameters, delays: Sequence[int]) -> N
 
 def _embedded(setting: Parameters, delay: int) -> list[exp.Expr]:
     """Return the delayed codes of a vector, and the piece of its oldest sample."""
-    found = [
+    delayed_codes = [
         exp.alias_(_before("code", k * delay), of.name) for k, of in enumerate(coordinates(setting)) if k
     ]
-    return [*found, exp.alias_(_before("piece", (setting.m - 1) * delay), "oldest_piece")]
+    return [*delayed_codes, exp.alias_(_before("piece", (setting.m - 1) * delay), "oldest_piece")]
 
 
 def _speeds(setting: Parameters, delay: int) -> dict[str, template.Slot]:
     """Return the slots of automatic/probed.sql: the values of vectors at each pace but frozen."""
     held = {pace: of for pace, of in paces(setting.m, delay).items() if pace != FROZEN}
-    needed = sorted({one for of in held.values() for one in of if one})
+    needed = sorted({lag for of in held.values() for lag in of if lag})
     farthest = sorted({of[-1] for of in held.values() if of[-1]})  # nearer samples are in no other piece
     delayed = [
-        exp.alias_(_before(column, one), f"{column}_{one}")
+        exp.alias_(_before(column, lag), f"{column}_{lag}")
         for column, delays in (("value", needed), ("piece", farthest))
-        for one in delays
+        for lag in delays
     ]
     reached: list[exp.Expr] = []
     for pace in range(FROZEN):

@@ -24,7 +24,7 @@ from gam_db.method.delays import (
     add_delays,
     add_stored,
 )
-from gam_db.method.delays import KEPT as KEPT_BY
+from gam_db.method.delays import SET_STEPS as BODY_STEPS
 from gam_db.method.probe import add_probe
 from gam_db.method.programs import identified_slots
 from gam_db.method.ranges import add_bounds
@@ -32,8 +32,8 @@ from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
     add_incomplete,
     add_novelty,
-    add_placed,
     add_running,
+    add_scored_groups,
     add_support_bits,
     number_of,
 )
@@ -51,7 +51,7 @@ IN_SLICE = 32
 
 #: Its own steps that are kept, up to what *names* are read off, and in all.
 OPENING = frozenset(("slices", *(step for steps in STORED.values() for step in steps)))
-KEPT = OPENING | {"edges", "edge_samples", "conflicts"}
+TABLE_STEPS = OPENING | {"edges", "edge_samples", "conflicts"}
 
 #: Small steps that are read once or are constants here: a table of each would cost more.
 FLOWING = frozenset(("rules", "declared", "series", "calibrated"))
@@ -129,62 +129,68 @@ def add_names(steps: Pipeline, slicing: Slicing, ways: Ways) -> None:
     add(steps, "census/names")
 
 
-def add_census_set(one: OfSet, bits: Bits | None, ways: Ways) -> None:
+def add_census_set(set_steps: OfSet, bits: Bits | None, ways: Ways) -> None:
     """Add support, buckets and certificate of one set, after :func:`add_census`."""
-    add_bounds(one, ways.delays or "census", TAUGHT)
-    one.add("score/run_up", {"span": one.setting.reach}, tables={"samples": "edge_samples"})
+    add_bounds(set_steps, ways.delays or "census", TAUGHT)
+    set_steps.add("score/run_up", {"span": set_steps.setting.reach}, tables={"samples": "edge_samples"})
     # Where segments end or samples stand still, vectors are numbered as where samples are missing.
-    is_broken = not one.method.is_unbroken(one.number)
+    is_broken = not set_steps.method.is_unbroken(set_steps.number)
     complete = exp.Literal.number(0) if is_broken else exp.column("complete", table="reached")
-    one.add("census/scale", {"complete": complete})
-    scored = one.named(SCORED)
+    set_steps.add("census/scale", {"complete": complete})
+    scored = set_steps.named(SCORED)
     if ways.delays is not None:
-        for name in KEPT_BY[ways.delays]:  # what a body keeps for each set
-            one.add(f"{ways.delays}/{name}")
+        for name in BODY_STEPS[ways.delays]:  # what a body keeps for each set
+            set_steps.add(f"{ways.delays}/{name}")
     else:
-        _add_readings(one.steps, scored)
-    add_delays(one, CALIBRATION, ways, TAUGHT, bits is not None)
-    add_learnt(one, exp.column("calibration_vector").eq(1) if ways.is_cut else exp.true(), "doubled")
+        _add_readings(set_steps.steps, scored)
+    add_delays(set_steps, CALIBRATION, ways, TAUGHT, bits is not None)
+    add_learnt(
+        set_steps, exp.column("calibration_vector").eq(1) if ways.is_cut else exp.true(), "doubled"
+    )
     if ways.taught == "taught":
-        one.add("census/taught")
-    one.add("support/support", tables={"learnable": ways.taught})
-    add_support_bits(one, bits)
+        set_steps.add("census/taught")
+    set_steps.add("support/support", tables={"learnable": ways.taught})
+    add_support_bits(set_steps, bits)
     parts = []
     if not is_broken:
-        add_delays(one, COMPLETE, ways, scored, bits is not None)
-        add_trusted_novelty(one, bits, ways.by_sets)
+        add_delays(set_steps, COMPLETE, ways, scored, bits is not None)
+        add_trusted_novelty(set_steps, bits, ways.by_sets)
         parts.append(f"{COMPLETE}novelty")
     if is_broken or ways.has_missing:
-        add_delays(one, INCOMPLETE, ways, scored, bits is not None)
-        add_incomplete(one, ["doubled"], bits, ways.by_sets)
+        add_delays(set_steps, INCOMPLETE, ways, scored, bits is not None)
+        add_incomplete(set_steps, ["doubled"], bits, ways.by_sets)
         parts.append(f"{INCOMPLETE}numbered")
-    add_placed(one, parts, trusting=True, counted=ways.counted)
-    one.add("health/bucket_counts")
+    add_scored_groups(set_steps, parts, trusting=True, counted=ways.counted)
+    set_steps.add("health/bucket_counts")
     if not ways.is_cut:
-        add_running(one, parts)
-        one.add("health/window_counts")
-    add_judgement(one)
-    add_probe(one, "identified")
+        add_running(set_steps, parts)
+        set_steps.add("health/window_counts")
+    add_judgement(set_steps)
+    add_probe(set_steps, "identified")
     if ways.has_room and is_broken:
-        one.add("census/held_vectors")
-        one.add("certificate/missing_vectors", tables={"vectors": "held_vectors"})
+        set_steps.add("census/held_vectors")
+        set_steps.add("certificate/missing_vectors", tables={"vectors": "held_vectors"})
     else:
-        add_missing_vectors(one, "identified")
+        add_missing_vectors(set_steps, "identified")
 
 
-def add_trusted_novelty(one: OfSet, bits: Bits | None, by_sets: bool = False) -> None:
+def add_trusted_novelty(set_steps: OfSet, bits: Bits | None, by_sets: bool = False) -> None:
     """Add Eq. 4 of channels without missing samples, right over their vectors, with their marks."""
     doubled = exp.alias_(exp.column("doubled", table="vector"), "doubled")
-    add_novelty(one, [number_of(one.setting.span), doubled], bits, COMPLETE, "vectors", by_sets)
+    add_novelty(
+        set_steps, [number_of(set_steps.setting.span), doubled], bits, COMPLETE, "vectors", by_sets
+    )
 
 
-def kept(method: Method, ways: Ways) -> set[str]:
+def table_steps(method: Method, ways: Ways) -> set[str]:
     """Return the steps of the census that are kept beside those of every form."""
-    own = [ways.taught, "scale", *KEPT_BY.get(ways.delays or "", ())]
+    steps = [ways.taught, "scale", *BODY_STEPS.get(ways.delays or "", ())]
     if ways.has_room:
-        told = ("moving_codes", "vectors")
-        own += [f"{CALIBRATION}vectors", *(f"{INCOMPLETE}{step}" for step in told)]
-    return {method.named(step, number) for step in own for number in range(len(method.settings))} | KEPT
+        scored_steps = ("moving_codes", "vectors")
+        steps += [f"{CALIBRATION}vectors", *(f"{INCOMPLETE}{step}" for step in scored_steps)]
+    return {
+        method.named(step, number) for step in steps for number in range(len(method.settings))
+    } | TABLE_STEPS
 
 
 def _add_readings(steps: Pipeline, name: str) -> None:

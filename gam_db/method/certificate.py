@@ -12,14 +12,14 @@ from gam_db.method.vectors import add_vectors, compared
 from gam_db.settings.parameters import Parameters
 
 
-def add_missing_vectors(one: OfSet, samples: str) -> None:
+def add_missing_vectors(set_steps: OfSet, samples: str) -> None:
     """Add how many vectors of each channel have a missing sample, be they learnt, scored or neither."""
-    told = compared(one.setting)
-    may_lack = exp.true() if told else exp.column("missing_readings", table="named") > 0
-    slots: dict[str, template.Slot] = {"read": may_lack, "carried": told}
-    one.add("certificate/known_codes", slots, tables={"samples": samples})
-    add_vectors(one, "known_", has_keys=False)
-    one.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
+    columns = compared(set_steps.setting)
+    may_lack = exp.true() if columns else exp.column("missing_readings", table="named") > 0
+    slots: dict[str, template.Slot] = {"read": may_lack, "carried": columns}
+    set_steps.add("certificate/known_codes", slots, tables={"samples": samples})
+    add_vectors(set_steps, "known_", has_keys=False)
+    set_steps.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
 
 
 def coarse_key(setting: Parameters, has_programs: bool = False) -> exp.Expr:
@@ -40,57 +40,57 @@ def coarse_key(setting: Parameters, has_programs: bool = False) -> exp.Expr:
     return template.added(coarse)
 
 
-def add_judgement(one: OfSet, by_halves: bool = False) -> None:
+def add_judgement(set_steps: OfSet, by_halves: bool = False) -> None:
     """Add what calibration says about itself, for one set (section 5).
 
     Args:
-        one: the set, with its learnable vectors and bounds.
+        set_steps: those of the set, with its learnable vectors and bounds.
         by_halves: keep the cells of each grid and make those of the next one of them, which pays where
             they are many; else all grids are made of the finest in one statement.
     """
-    setting = one.setting
+    setting = set_steps.setting
     for name in ("learnt", "visits", "block_sizes"):
-        one.add(f"certificate/{name}")
-    one.add("certificate/cells", {"gathered": [], "carried": []})
+        set_steps.add(f"certificate/{name}")
+    set_steps.add("certificate/cells", {"gathered": [], "carried": []})
     for name in ("blocks", "first_visits", "cell_shares", "learning"):
-        one.add(f"certificate/{name}")
+        set_steps.add(f"certificate/{name}")
     bins = {k: -(-setting.grid // 2**k) for k in range(setting.grid.bit_length() + 1)}
     rungs = [k for k in bins if k == 0 or bins[k] >= 2]
 
     def add_levels(name: str, divisors: dict[int, int]) -> None:
         rows = [{"level": k, "divisor": of, "level_bins": bins[k]} for k, of in divisors.items()]
-        add_stacked(one.steps, "certificate/levels", rows, one.named(name))
+        add_stacked(set_steps.steps, "certificate/levels", rows, set_steps.named(name))
 
     add_levels("levels", {k: 2**k for k in rungs})
     slots: dict[str, template.Slot] = {
-        "coarse_key": coarse_key(setting, one.method.programs is not None)
+        "coarse_key": coarse_key(setting, set_steps.method.programs is not None)
     }
     if by_halves and len(rungs) > 1:
         finer, halved = "cells", []
         for k in rungs[1:]:
             add_levels(f"level_{k}", {k: 2})
-            one.add(
+            set_steps.add(
                 "certificate/coarsened", slots, f"halved_{k}", {"cells": finer, "levels": f"level_{k}"}
             )
             finer = f"halved_{k}"
-            halved.append(one.named(finer))
-        one.steps.small |= set(halved)
+            halved.append(set_steps.named(finer))
+        set_steps.steps.small |= set(halved)
         comment = template.load("certificate/coarsened").comment
-        one.steps.add(one.named("coarsened"), union_of(one.steps, halved), comment)
+        set_steps.steps.add(set_steps.named("coarsened"), union_of(set_steps.steps, halved), comment)
     else:
-        one.add("certificate/coarsened", slots)
-    one.add("certificate/ladder")
-    one.add("certificate/spread")
+        set_steps.add("certificate/coarsened", slots)
+    set_steps.add("certificate/ladder")
+    set_steps.add("certificate/spread")
     for name in ("finest", "outlook"):
-        one.add(f"certificate/{name}")
-    if one.method.pools:
-        _add_members(one, slots)
+        set_steps.add(f"certificate/{name}")
+    if set_steps.method.pools:
+        _add_members(set_steps, slots)
 
 
-def _add_members(one: OfSet, slots: Mapping[str, template.Slot]) -> None:
+def _add_members(set_steps: OfSet, slots: Mapping[str, template.Slot]) -> None:
     """Add the certificate of whole machines of pools: as that of blocks, each member being one."""
-    one.add("certificate/member_sizes")
-    one.add("certificate/member_cells")
+    set_steps.add("certificate/member_sizes")
+    set_steps.add("certificate/member_cells")
     renamed = {
         "block_sizes": "member_sizes",
         "cells": "member_cells",
@@ -101,6 +101,6 @@ def _add_members(one: OfSet, slots: Mapping[str, template.Slot]) -> None:
     }
     for file in ("blocks", "coarsened", "ladder", "spread", "finest"):
         name = renamed.get(file, f"member_{file}")
-        one.add(f"certificate/{file}", slots if file == "coarsened" else None, name, renamed)
-    one.add("certificate/vouching")
-    one.add("certificate/pool_spread")
+        set_steps.add(f"certificate/{file}", slots if file == "coarsened" else None, name, renamed)
+    set_steps.add("certificate/vouching")
+    set_steps.add("certificate/pool_spread")

@@ -25,7 +25,7 @@ from gam_db.method.adding import OfSet, add
 from gam_db.method.vectors import add_vectors, compared, small_key
 
 #: What is kept before vectors are made of it, body by body.
-KEPT = {"rowids": ("coded", "runs"), "arrays": ()}
+SET_STEPS = {"rowids": ("coded", "runs"), "arrays": ()}
 
 #: What is kept of the samples of the source before they are cut, body by body: its *slices*, its
 #: *edge_samples* and its codes are read off it.
@@ -54,7 +54,7 @@ class Ways:
         delays: the body of the delays; None for windows.
         by_sets: whether a cell is looked up in the support as a set, instead of by a join.
         has_missing: whether a channel lacks a sample; if none does, nothing is made for such.
-        asked: the last steps that will be asked for, where that is known; others may be, at a price.
+        requested: the last steps that will be asked for, where that is known; others may be, at a price.
         is_cut: whether samples that are none of calibration may come before scoring begins; vectors of
             calibration are then made by windows.
         by_windows: whether segments may end or samples stand still; vectors are then made by windows.
@@ -66,7 +66,7 @@ class Ways:
     delays: str | None = None
     by_sets: bool = False
     has_missing: bool = True
-    asked: frozenset[str] = frozenset()
+    targets: frozenset[str] = frozenset()
     is_cut: bool = False
     by_windows: bool = False
     has_room: bool = False
@@ -75,12 +75,12 @@ class Ways:
     @property
     def scores(self) -> bool:
         """Tell whether it is known that something of the scored vectors will be asked for."""
-        return bool(self.asked & _HEALTH)
+        return bool(self.targets & _HEALTH)
 
     @property
     def has_blocks(self) -> bool:
         """Tell whether a certificate may be asked for, which is made of blocks of calibration."""
-        return not self.asked or not self.asked <= _HEALTH
+        return not self.targets or not self.targets <= _HEALTH
 
     @property
     def taught(self) -> str:
@@ -90,7 +90,7 @@ class Ways:
     @property
     def counted(self) -> str:
         """The step that buckets are counted from: by novel cell where these are asked for, too."""
-        return "visited" if "novel_cells" in self.asked else "tallied"
+        return "visited" if "novel_cells" in self.targets else "tallied"
 
 
 def add_stored(steps: Pipeline, ways: Ways) -> None:
@@ -100,50 +100,50 @@ def add_stored(steps: Pipeline, ways: Ways) -> None:
         add(steps, f"{body}/{name}")
 
 
-def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -> None:
+def add_delays(set_steps: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -> None:
     """Add the step *vectors* of a prefix, for one set.
 
-    The set has *scale*, and what the body keeps for it (:data:`KEPT`). Rows is the step that holds the
-    readings of the vectors, for windows. Where supports are kept as bits, keys are small.
+    The set has *scale*, and what the body keeps for it (:data:`SET_STEPS`). Rows is the step that holds
+    the readings of the vectors, for windows. Where supports are kept as bits, keys are small.
     """
     # Of a channel without a missing sample every coordinate is there.
-    known: dict[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}
+    special_slots: dict[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}
     marked = ways.is_cut and prefix == CALIBRATION
     body = ways.delays
     if body is not None and not marked:
-        query = _BODIES[body](one, prefix, known)
-        tables = {name: one.named(name) for name in ("scale", *KEPT[body])}
-        one.steps.add(one.named(f"{prefix}vectors"), query, "", tables)
+        query = _BODIES[body](set_steps, prefix, special_slots)
+        tables = {name: set_steps.named(name) for name in ("scale", *SET_STEPS[body])}
+        set_steps.steps.add(set_steps.named(f"{prefix}vectors"), query, "", tables)
         return
     file = "census/marked_codes" if marked else "census/codes"
-    slots: dict[str, template.Slot] = {"read": _read(prefix), "carried": compared(one.setting)}
-    one.add(file, slots, f"{prefix}codes", {"readings": rows})
+    slots: dict[str, template.Slot] = {"read": _read(prefix), "carried": compared(set_steps.setting)}
+    set_steps.add(file, slots, f"{prefix}codes", {"readings": rows})
     if has_bits:
-        known["cell_key"] = small_key(one.setting)
-    asked = ["doubled", *["calibration_vector"] * marked]
-    if one.method.pools:
-        add_vectors(one, prefix, asked, ("support_id",), known=known)
+        special_slots["cell_key"] = small_key(set_steps.setting)
+    marks = ["doubled", *["calibration_vector"] * marked]
+    if set_steps.method.pools:
+        add_vectors(set_steps, prefix, marks, ("support_id",), special_slots=special_slots)
         return
     # Without pools each channel has its own support, whose number is the channel's and not sorted along.
-    own = exp.alias_(exp.column("channel_id"), "support_id")
-    add_vectors(one, prefix, asked, told=[own], known=known)
+    support_id = exp.alias_(exp.column("channel_id"), "support_id")
+    add_vectors(set_steps, prefix, marks, columns=[support_id], special_slots=special_slots)
 
 
-def _by_row(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.Query:
+def _by_row(set_steps: OfSet, prefix: str, special_slots: Mapping[str, template.Slot]) -> exp.Query:
     """Return the vectors of a prefix by the numbers of rows."""
-    setting = one.setting
+    setting = set_steps.setting
     is_taught = prefix == CALIBRATION
     first, last = ("first_row", "taught_row") if is_taught else ("start_row", "last_row")
     tables = {k: f"delayed_{k}" for k in range(1, setting.m)}
     slots: dict[str, template.Slot] = {
-        **known,
+        **special_slots,
         "first_row": exp.column(first, table="run"),
         "last_row": exp.column(last, table="run"),
         "delayed": [exp.alias_(exp.column("code", table=of), f"code_{k}") for k, of in tables.items()],
         "read": exp.true() if is_taught else _is_complete(prefix, "run"),
     }
-    query = filled("rowids/vectors", one.slots("rowids/vectors", slots))
-    (joined,) = (one for one in query.find_all(exp.Select) if one.args.get("joins"))
+    query = filled("rowids/vectors", set_steps.slots("rowids/vectors", slots))
+    (joined,) = (select for select in query.find_all(exp.Select) if select.args.get("joins"))
     for k, table in tables.items():
         row = exp.column("rowid", table=table)
         where = template.fill("rowids/delayed", {"row": row, "delay": k * setting.tau})
@@ -151,22 +151,22 @@ def _by_row(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.
     return query
 
 
-def _in_arrays(one: OfSet, prefix: str, known: Mapping[str, template.Slot]) -> exp.Query:
+def _in_arrays(set_steps: OfSet, prefix: str, special_slots: Mapping[str, template.Slot]) -> exp.Query:
     """Return the vectors of a prefix by arrays."""
-    setting = one.setting
+    setting = set_steps.setting
     is_taught = prefix == CALIBRATION
     delayed: list[exp.Expr] = []
     for k in range(setting.m):
         place = {"place": setting.span - k * setting.tau + 1}
         delayed.append(exp.alias_(template.fill("arrays/delayed", place), f"code_{k}"))
     slots: dict[str, template.Slot] = {
-        **known,
+        **special_slots,
         "time_from": exp.column("taught_from" if is_taught else "read_from"),
         "time_to": exp.column("taught_to") if is_taught else FAR_AHEAD,
         "delayed": delayed,
         "read": exp.true() if is_taught else _is_complete(prefix),
     }
-    return filled("arrays/vectors", one.slots("arrays/vectors", slots))
+    return filled("arrays/vectors", set_steps.slots("arrays/vectors", slots))
 
 
 def _read(prefix: str) -> exp.Expr:

@@ -29,8 +29,8 @@ def limit_of(target_floor: exp.Expr) -> exp.Expr:
 
 
 #: What a channel is judged by beside its verdict, where it is known.
-_KNOWN = {"hi": "DOUBLE", "has_limit": "BIGINT", "raised": "VARCHAR", "asks": "BIGINT"}
-_KNOWN |= {"label": "VARCHAR", "sure": "DOUBLE"}
+_OPTIONAL = {"hi": "DOUBLE", "has_limit": "BIGINT", "raised": "VARCHAR", "asks": "BIGINT"}
+_OPTIONAL |= {"label": "VARCHAR", "sure": "DOUBLE"}
 
 
 def add_judged(steps: Pipeline, assessed: str = "assessed", name: str = "judged") -> None:
@@ -41,8 +41,8 @@ def add_judged(steps: Pipeline, assessed: str = "assessed", name: str = "judged"
     """
     columns = steps.steps[assessed].query.named_selects
     slots: dict[str, template.Slot] = {
-        known: exp.column(known) if known in columns else exp.cast(exp.null(), of)
-        for known, of in _KNOWN.items()
+        column: exp.column(column) if column in columns else exp.cast(exp.null(), of)
+        for column, of in _OPTIONAL.items()
     }
     slots["columns"] = [exp.column(column) for column in columns]
     add(steps, "judgement/judged", slots, name, {"assessed": assessed})
@@ -52,9 +52,9 @@ def add_stillness(steps: Pipeline, method: Method, codes: str) -> None:
     """Add the step *stillness*, of some codes: what stands still where a channel begins and ends."""
     numbers = [n for n, setting in enumerate(method.settings) if setting.still_after is not None]
     for number in numbers:
-        one = OfSet(steps, method, number)
+        set_steps = OfSet(steps, method, number)
         tables = {"cohort": "bounds", "moving_codes": codes}
-        one.add("stored/scoring/stillness", {"long_ago": LONG_AGO}, tables=tables)
+        set_steps.add("stored/scoring/stillness", {"long_ago": LONG_AGO}, tables=tables)
     if not numbers:
         add(steps, "stored/scoring/no_stillness", name="stillness", tables={"cohort": "channels"})
     elif len(method.settings) > 1:
@@ -65,7 +65,7 @@ def add_stillness(steps: Pipeline, method: Method, codes: str) -> None:
 
 def add_standing(steps: Pipeline) -> None:
     """Add the step *standing*, over *judged*: which channels stand still at their end, too."""
-    known = steps.steps["judged"].query.named_selects
-    told = [name for name in known if name not in ("status", "is_above")]
-    columns = [exp.column(name, table="judged").as_(name) for name in told]
+    judged_names = steps.steps["judged"].query.named_selects
+    names = [name for name in judged_names if name not in ("status", "is_above")]
+    columns = [exp.column(name, table="judged").as_(name) for name in names]
     add(steps, "judgement/standing", {"columns": columns})

@@ -7,7 +7,15 @@ from gam_db.composing.pipeline import Pipeline
 from gam_db.method.adding import OfSet, add, join_sets
 from gam_db.method.bits import Bits
 from gam_db.method.calibration import add_calibration
-from gam_db.method.census import FLOWING, OPENING, Slicing, add_census, add_census_set, add_names, kept
+from gam_db.method.census import (
+    FLOWING,
+    OPENING,
+    Slicing,
+    add_census,
+    add_census_set,
+    add_names,
+    table_steps,
+)
 from gam_db.method.certificate import add_judgement, add_missing_vectors
 from gam_db.method.delays import INCOMPLETE, Ways
 from gam_db.method.judgement import add_stillness, limit_slots
@@ -15,7 +23,7 @@ from gam_db.method.probe import add_certified, add_probe
 from gam_db.method.programs import add_judged_programs, add_program_summary
 from gam_db.method.resolved import Method
 from gam_db.method.scoring import (
-    add_placed,
+    add_scored_groups,
     add_scoring,
     add_support_bits,
 )
@@ -53,20 +61,20 @@ def pipeline(
     add_source(steps, method)
     numbers = range(len(method.settings))
     for number in numbers:
-        one = OfSet(steps, method, number)
-        add_calibration(one)
-        add_support_bits(one, bits)
-        one.add("score/run_up", {"span": one.setting.reach})
+        set_steps = OfSet(steps, method, number)
+        add_calibration(set_steps)
+        add_support_bits(set_steps, bits)
+        set_steps.add("score/run_up", {"span": set_steps.setting.reach})
         if method.programs is not None:  # which programs are judged follows from the certificate
-            add_judgement(one)
-            add_judged_programs(one)
-        add_scoring(one, bits)
-        add_placed(one, ["numbered"])
-        one.add("health/bucket_counts")
+            add_judgement(set_steps)
+            add_judged_programs(set_steps)
+        add_scoring(set_steps, bits)
+        add_scored_groups(set_steps, ["numbered"])
+        set_steps.add("health/bucket_counts")
         if method.programs is None:
-            add_judgement(one)
-        add_probe(one)
-        add_missing_vectors(one, "samples")
+            add_judgement(set_steps)
+        add_probe(set_steps)
+        add_missing_vectors(set_steps, "samples")
     join_sets(steps, method, (*_JOINED_HEALTH, *_JOINED_BUCKETS, *_certificate(method)))
     add_stillness(steps, method, "moving_codes")
     add_results(steps, instant_of, method)
@@ -107,12 +115,12 @@ def trusting_pipeline(
     the last steps.
     """
     ways = ways or Ways()
-    steps = Pipeline(small=frozenset(method.small() - FLOWING | kept(method, ways)))
+    steps = Pipeline(small=frozenset(method.small() - FLOWING | table_steps(method, ways)))
     _add_readings(steps, readings)
     add_census(steps, method, slicing, ways)
     for number in range(len(method.settings)):
-        one = OfSet(steps, method, number)
-        add_census_set(one, bits, ways)
+        set_steps = OfSet(steps, method, number)
+        add_census_set(set_steps, bits, ways)
     join_sets(steps, method, (*_JOINED_BUCKETS, *_certificate(method)))
     add_stillness(steps, method, f"{INCOMPLETE}moving_codes")
     if ways.is_cut:

@@ -63,17 +63,17 @@ def printed_pipeline(
     _add_channels(steps, method)
     edges = {name: instant_of(exp.column(name, table="counted")) for name in ("first_time", "last_time")}
     for number in range(len(method.settings)):
-        one = OfSet(steps, method, number)
-        _add_learning(one, framed)
-        condition = taught(one.setting, exp.column("calibration_vector").eq(1))
+        set_steps = OfSet(steps, method, number)
+        _add_learning(set_steps, framed)
+        condition = taught(set_steps.setting, exp.column("calibration_vector").eq(1))
         if "certificate" in parts:
-            one.add("script/learnt", {"taught": condition})
-            one.add("script/visits")
-            one.add("script/support")
-            _add_certificate(one, parts, edges)
+            set_steps.add("script/learnt", {"taught": condition})
+            set_steps.add("script/visits")
+            set_steps.add("script/support")
+            _add_certificate(set_steps, parts, edges)
         else:
-            one.add("script/cells", {"taught": condition}, "support")
-        _add_health(one, instant_of, framed)
+            set_steps.add("script/cells", {"taught": condition}, "support")
+        _add_health(set_steps, instant_of, framed)
     _join(steps, method, "health_indicator")
     names = steps.steps["health_indicator"].query.named_selects
     if "certificate" in parts:
@@ -188,16 +188,16 @@ def _of_period(rule: Rule) -> exp.Expr:
     return exp.and_(within, exp.or_(*pieces)) if pieces else within
 
 
-def _add_learning(one: OfSet, framed: bool) -> None:
+def _add_learning(set_steps: OfSet, framed: bool) -> None:
     """Add Phi and Eq. 1 of one set: from its samples to its vectors."""
-    setting, method = one.setting, one.method
-    one.add("script/history", {"healthy": _healthy(method)})
-    _add_bounds(one)
+    setting, method = set_steps.setting, set_steps.method
+    set_steps.add("script/history", {"healthy": _healthy(method)})
+    _add_bounds(set_steps)
     compared_columns = compared(setting)
     slots: dict[str, template.Slot] = {"code": code_of(setting), "carried": compared_columns}
-    one.add("script/codes", slots)
-    codes, over, whole = add_last_codes(one, "", ["calibrating", "first_scored", "value"])
-    delays = delays_of(one)
+    set_steps.add("script/codes", slots)
+    codes, over, whole = add_last_codes(set_steps, "", ["calibrating", "first_scored", "value"])
+    delays = delays_of(set_steps)
     over |= {f"code_{k}": _before("code", delays[k]) for k in range(1, setting.m)}
     over |= {f"calibrating_{k}": _before("calibrating", delays[k]) for k in range(1, setting.m)}
     calibrating = [exp.column(f"calibrating_{k}") for k in range(setting.m)]
@@ -222,24 +222,28 @@ def _add_learning(one: OfSet, framed: bool) -> None:
         ],
         "whole": whole,
     }
-    one.add("embedding/vectors", slots, tables={"codes": codes})
+    set_steps.add("embedding/vectors", slots, tables={"codes": codes})
 
 
-def _add_bounds(one: OfSet) -> None:
+def _add_bounds(set_steps: OfSet) -> None:
     """Add the range of one set: of all samples of calibration, or of all but a few far from the rest."""
-    one.add("script/calibrated")
-    if not is_robust(one.setting):
-        one.add("script/bounds", {"dropped": [], "carried": []})
+    set_steps.add("script/calibrated")
+    if not is_robust(set_steps.setting):
+        set_steps.add("script/bounds", {"dropped": [], "carried": []})
         return
-    one.add("script/whole", name="range_0")
+    set_steps.add("script/whole", name="range_0")
     for number in range(1, ROUNDS + 1):
         tables = {"range_before": f"range_{number - 1}"}
-        one.add("script/range_counts", {"piece": piece()}, counts_of(number), tables)
-        one.add("range/narrowed", name=f"range_{number}", tables={"range_counts": counts_of(number)})
-    rounds = [one.named(f"range_{number}") for number in range(ROUNDS + 1)]
+        set_steps.add("script/range_counts", {"piece": piece()}, counts_of(number), tables)
+        set_steps.add(
+            "range/narrowed", name=f"range_{number}", tables={"range_counts": counts_of(number)}
+        )
+    rounds = [set_steps.named(f"range_{number}") for number in range(ROUNDS + 1)]
     names = [name for name in _ROUND if name != "support_id"]
-    one.steps.add(one.named("rounds"), union_of(one.steps, rounds, ("asset", "channel", *names)))
-    one.add("script/ranged")
+    set_steps.steps.add(
+        set_steps.named("rounds"), union_of(set_steps.steps, rounds, ("asset", "channel", *names))
+    )
+    set_steps.add("script/ranged")
     dropped: list[exp.Expr] = []
     for name, nothing in DROPPED.items():
         column = exp.column(name, table="seen")
@@ -248,40 +252,44 @@ def _add_bounds(one: OfSet) -> None:
             there.set("default", exp.Literal.number(0))
         dropped.append(exp.alias_(there, name))
     carried = [exp.column(name) for name in DROPPED]
-    one.add("script/bounds", {"dropped": dropped, "carried": carried}, tables={"calibrated": "ranged"})
+    set_steps.add(
+        "script/bounds", {"dropped": dropped, "carried": carried}, tables={"calibrated": "ranged"}
+    )
 
 
-def _add_certificate(one: OfSet, parts: Collection[str], edges: Mapping[str, exp.Expr]) -> None:
+def _add_certificate(set_steps: OfSet, parts: Collection[str], edges: Mapping[str, exp.Expr]) -> None:
     """Add what calibration says about itself (method, section 5)."""
-    setting = one.setting
+    setting = set_steps.setting
     bins = {k: -(-setting.grid // 2**k) for k in range(setting.grid.bit_length() + 1)}
     rungs = [k for k in bins if k == 0 or bins[k] >= 2]
     rows = [{"level": k, "divisor": 2**k, "level_bins": bins[k]} for k in rungs]
-    add_stacked(one.steps, "certificate/levels", rows, one.named("levels"))
-    one.add("script/coarsened", {"coarse_key": coarse_key(setting)})
+    add_stacked(set_steps.steps, "certificate/levels", rows, set_steps.named("levels"))
+    set_steps.add("script/coarsened", {"coarse_key": coarse_key(setting)})
     for name in ("blocks", "shares", "floors"):
-        one.add(f"script/{name}")
+        set_steps.add(f"script/{name}")
     for name in ("verdicts", "spread"):
-        one.add(f"script/{name}")
+        set_steps.add(f"script/{name}")
     verdicts = "verdicts"
     learnt: list[exp.Expr] = []
     verdict: exp.Expr = exp.column("verdict", table="learnt")
     if "curve" in parts:
         for name in ("cell_shares", "learned", "learning"):
-            one.add(f"script/{name}")
-        one.add("certificate/outlook")
-        one.add("script/needed", {"columns": _columns(one, verdicts)}, tables={"verdicts": verdicts})
+            set_steps.add(f"script/{name}")
+        set_steps.add("certificate/outlook")
+        set_steps.add(
+            "script/needed", {"columns": _columns(set_steps, verdicts)}, tables={"verdicts": verdicts}
+        )
         verdicts = "needed"
         learnt.append(exp.column("vectors_needed", table="learnt"))
     if "probe" in parts:
-        _add_probe(one)
+        _add_probe(set_steps)
         rules = {name: template.fill(f"probe/{name}") for name in ("would_not_see", "blind_reason")}
         for rule in rules.values():
             for column in rule.find_all(exp.Column):
                 if column.table == "scale":
                     column.set("table", exp.to_identifier("learnt"))
-        columns = _columns(one, verdicts)
-        one.add("script/certified", {**rules, "columns": columns}, tables={"verdicts": verdicts})
+        columns = _columns(set_steps, verdicts)
+        set_steps.add("script/certified", {**rules, "columns": columns}, tables={"verdicts": verdicts})
         verdicts = "certified"
         learnt += [exp.column(name, table="learnt") for name in LEFT_OUT["probe"]]
         blind = exp.column("blind_reason", table="learnt").is_(exp.null())
@@ -305,13 +313,14 @@ def _add_certificate(one: OfSet, parts: Collection[str], edges: Mapping[str, exp
         "verdict": verdict,
         "learnt": [exp.alias_(_where_learnt(name), name) for name in held],
         "columns": [
-            exp.column(name) for name in one.steps.steps[one.named(verdicts)].query.named_selects
+            exp.column(name)
+            for name in set_steps.steps.steps[set_steps.named(verdicts)].query.named_selects
         ],
         **limits,
     }
-    one.add("script/support_summary", slots, tables={"verdicts": verdicts})
+    set_steps.add("script/support_summary", slots, tables={"verdicts": verdicts})
     curve = "curve" in parts
-    one.add("script/learned_certificate" if curve else "script/certificate", edges, "certificate")
+    set_steps.add("script/learned_certificate" if curve else "script/certificate", edges, "certificate")
 
 
 def _leave_out(rule: exp.Expr, verdicts: Collection[str]) -> None:
@@ -332,16 +341,16 @@ def _where_learnt(name: str) -> exp.Expr:
     return exp.Case(ifs=[exp.If(this=hit, true=exp.column(name, table="learnt"))])
 
 
-def _columns(one: OfSet, step: str) -> list[exp.Expr]:
-    names = one.steps.steps[one.named(step)].query.named_selects
+def _columns(set_steps: OfSet, step: str) -> list[exp.Expr]:
+    names = set_steps.steps.steps[set_steps.named(step)].query.named_selects
     return [exp.alias_(exp.column(name, table="learnt"), name) for name in names if name != "asset"]
 
 
-def _add_probe(one: OfSet) -> None:
+def _add_probe(set_steps: OfSet) -> None:
     """Add what the indicator would show if the machine changed (both sides, section 2)."""
-    setting = one.setting
-    one.add("script/picked", {"picked": template.fill("probe/is_picked")})
-    has_gap = one.method.gaps[one.number] is not None
+    setting = set_steps.setting
+    set_steps.add("script/picked", {"picked": template.fill("probe/is_picked")})
+    has_gap = set_steps.method.gaps[set_steps.number] is not None
     delays = probed_delays(setting)[1:]
     over, values = _earlier(exp.column("known_value"), delays, has_gap)
     if has_gap and delays:
@@ -353,29 +362,29 @@ def _add_probe(one: OfSet) -> None:
     }
     codes = "codes"
     for name in ("breaking_codes", "moving_codes"):
-        if one.named(name) in one.steps.steps:
+        if set_steps.named(name) in set_steps.steps.steps:
             codes = name
-    one.add("probe/probed", slots, tables={"codes": codes})
-    one.add("probe/usual")
+    set_steps.add("probe/probed", slots, tables={"codes": codes})
+    set_steps.add("probe/usual")
     delays_by_pace = paces(setting.m, setting.tau)
     rows = [
         {"change_no": number, **slots_of(of, delays_by_pace)}
         for number, of in enumerate(CHANGES, start=1)
     ]
-    add_stacked(one.steps, "probe/changes", rows, one.named("changes"))
-    one.add("probe/changed", changed_slots(one, delays_by_pace))
-    one.add("probe/probe", tables={"cells": "support"})
-    one.add("probe/sight", {"hi_limit": limit_of(template.node_of(float(setting.target_floor)))})
-    one.add("script/probes")
+    add_stacked(set_steps.steps, "probe/changes", rows, set_steps.named("changes"))
+    set_steps.add("probe/changed", changed_slots(set_steps, delays_by_pace))
+    set_steps.add("probe/probe", tables={"cells": "support"})
+    set_steps.add("probe/sight", {"hi_limit": limit_of(template.node_of(float(setting.target_floor)))})
+    set_steps.add("script/probes")
 
 
-def _add_health(one: OfSet, instant_of: TimeNode, framed: bool) -> None:
+def _add_health(set_steps: OfSet, instant_of: TimeNode, framed: bool) -> None:
     """Add Eq. 4 and Eq. 2 of one set, a row per scored vector."""
-    one.add("script/novelty")
+    set_steps.add("script/novelty")
     if framed:
-        one.add("script/framed_counts", {"before": one.setting.window - 1}, "window_counts")
+        set_steps.add("script/framed_counts", {"before": set_steps.setting.window - 1}, "window_counts")
     else:
-        one.add("health/numbered", {"carried": []})
-        one.add("health/window_counts")
+        set_steps.add("health/numbered", {"carried": []})
+        set_steps.add("health/window_counts")
     time = instant_of(exp.column("time", table="counted"))
-    one.add("script/health_indicator", {"time": time})
+    set_steps.add("script/health_indicator", {"time": time})

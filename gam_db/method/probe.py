@@ -47,12 +47,12 @@ CHANGES = (
 def paces(m: int, tau: int) -> dict[int, list[int]]:
     """Return the delays of a vector at each pace; a pace at which two of them are equal is not there."""
     usual = [k * tau for k in range(m)]
-    found = {0: usual, FROZEN: [0] * m}
+    delays_by_pace = {0: usual, FROZEN: [0] * m}
     for pace, (p, q) in enumerate(SPEEDS, start=1):
         delays = [(2 * p * delay + q) // (2 * q) for delay in usual]
         if len(set(delays)) == len(delays):
-            found[pace] = delays
-    return found
+            delays_by_pace[pace] = delays
+    return delays_by_pace
 
 
 def probed_delays(setting: Parameters) -> tuple[int, ...]:
@@ -62,44 +62,52 @@ def probed_delays(setting: Parameters) -> tuple[int, ...]:
     )
 
 
-def add_probe(one: OfSet, samples: str = "samples") -> None:
+def add_probe(set_steps: OfSet, samples: str = "samples") -> None:
     """Add the step *probe* of one set, after its certificate.
 
     Samples is the step of all samples of known channels, or of their readings where each instant occurs
     once.
     """
-    setting = one.setting
-    one.add("probe/taught_before")
-    one.add("probe/picked", {"picked": template.fill("probe/is_picked")})
-    asked, delays = paces(setting.m, setting.tau), probed_delays(setting)
-    add_earlier(one, "probe_", samples, delays[1:])
-    one.add("probe/usual")
-    rows = [{"change_no": number, **slots_of(of, asked)} for number, of in enumerate(CHANGES, start=1)]
-    add_stacked(one.steps, "probe/changes", rows, one.named("changes"))
-    one.add("probe/changed", changed_slots(one, asked))
-    one.add("probe/probe")
+    setting = set_steps.setting
+    set_steps.add("probe/taught_before")
+    set_steps.add("probe/picked", {"picked": template.fill("probe/is_picked")})
+    delays_by_pace, delays = paces(setting.m, setting.tau), probed_delays(setting)
+    add_earlier(set_steps, "probe_", samples, delays[1:])
+    set_steps.add("probe/usual")
+    rows = [
+        {"change_no": number, **slots_of(of, delays_by_pace)}
+        for number, of in enumerate(CHANGES, start=1)
+    ]
+    add_stacked(set_steps.steps, "probe/changes", rows, set_steps.named("changes"))
+    set_steps.add("probe/changed", changed_slots(set_steps, delays_by_pace))
+    set_steps.add("probe/probe")
     limit = limit_of(exp.column("target_floor", table="scale"))
-    tables = {"spread": "pool_spread"} if one.method.pools else {}
-    one.add("probe/sight", {"hi_limit": limit}, tables=tables)
+    tables = {"spread": "pool_spread"} if set_steps.method.pools else {}
+    set_steps.add("probe/sight", {"hi_limit": limit}, tables=tables)
 
 
-def changed_slots(one: OfSet, asked: Mapping[int, Sequence[int]]) -> dict[str, template.Slot]:
+def changed_slots(
+    set_steps: OfSet, delays_by_pace: Mapping[int, Sequence[int]]
+) -> dict[str, template.Slot]:
     """Return the slots of probe/changed.sql, of the delays at each pace."""
-    setting = one.setting
+    setting = set_steps.setting
     coordinates = [f"y_{k}" for k in range(setting.m)]
     return {
         "samples": [
-            *(exp.alias_(_sample(setting, k, asked), name) for k, name in enumerate(coordinates)),
-            *(exp.alias_(exp.column(of.name, table="vector"), of.name) for of in numbers(one)),
+            *(
+                exp.alias_(_sample(setting, k, delays_by_pace), name)
+                for k, name in enumerate(coordinates)
+            ),
+            *(exp.alias_(exp.column(of.name, table="vector"), of.name) for of in numbers(set_steps)),
         ],
         "codes": [
             *(
                 exp.alias_(code_in(setting.grid, value=exp.column(name)), f"code_{k}")
                 for k, name in enumerate(coordinates)
             ),
-            *numbers(one),
+            *numbers(set_steps),
         ],
-        **keyed(one),
+        **keyed(set_steps),
     }
 
 

@@ -10,7 +10,7 @@ from gam_db.composing import template
 from gam_db.composing.pipeline import Pipeline
 from gam_db.errors import wrong
 from gam_db.method.adding import OfSet, add
-from gam_db.method.slots import cell_key, known, weight_at
+from gam_db.method.slots import all_present, cell_key, weight_at
 from gam_db.settings.parameters import LARGEST_KEY, Parameters
 from gam_db.settings.source import Programs, TimeNode
 
@@ -69,44 +69,48 @@ def add_taught_programs(steps: Pipeline, programs: Programs | None) -> None:
     add(steps, "program/program_samples", name=TAUGHT, tables={"numbered_programs": "taught_programs"})
 
 
-def add_judged_programs(one: OfSet) -> None:
+def add_judged_programs(set_steps: OfSet) -> None:
     """Add what calibration knows of the programs of one set, and samples of those that are judged."""
-    if one.method.programs is None:
+    if set_steps.method.programs is None:
         return
-    one.add("program/programs", {"weight": weight_of(one.setting)})
-    one.add("program/judged_programs")
-    one.add("program/program_samples", name=JUDGED, tables={"numbered_programs": "judged_programs"})
+    set_steps.add("program/programs", {"weight": weight_of(set_steps.setting)})
+    set_steps.add("program/judged_programs")
+    set_steps.add(
+        "program/program_samples", name=JUDGED, tables={"numbered_programs": "judged_programs"}
+    )
 
 
-def coded(one: OfSet, samples: str) -> tuple[dict[str, template.Slot], dict[str, str]]:
+def coded(set_steps: OfSet, samples: str) -> tuple[dict[str, template.Slot], dict[str, str]]:
     """Return slots and tables of a file that codes samples, which carry the number of their program.
 
     Its slot ``settings`` has the settings of a channel that are columns.
     """
-    columns = [exp.alias_(exp.column(name, table="scale"), name) for name in one.method.columns]
-    if one.method.programs is None:
+    columns = [exp.alias_(exp.column(name, table="scale"), name) for name in set_steps.method.columns]
+    if set_steps.method.programs is None:
         return {"settings": columns}, {}
     number = exp.alias_(exp.column(_NUMBER, table="sampled"), _NUMBER)
     return {"settings": [*columns, number]}, {"samples": samples}
 
 
-def numbers(one: OfSet) -> list[exp.Expr]:
+def numbers(set_steps: OfSet) -> list[exp.Expr]:
     """Return the column of codes that holds the number of the program, if there is one."""
-    return [] if one.method.programs is None else [exp.column(_NUMBER)]
+    return [] if set_steps.method.programs is None else [exp.column(_NUMBER)]
 
 
-def keyed(one: OfSet) -> dict[str, template.Slot]:
+def keyed(set_steps: OfSet) -> dict[str, template.Slot]:
     """Return the slots of a file that makes keys of codes: which vectors have one, and the key.
 
     Nothing where there are no programs: the slots follow from the parameters then.
     """
-    if one.method.programs is None:
+    if set_steps.method.programs is None:
         return {}
-    setting = one.setting
-    radix = exp.column("radix") if "radix" in one.method.columns else None
+    setting = set_steps.setting
+    radix = exp.column("radix") if "radix" in set_steps.method.columns else None
     term = template.fill("program/program_term", {"weight": weight_at(setting, setting.m, radix)})
     return {
-        "known": exp.and_(known(setting), template.fill("program/fits", {"most": most_of(setting)})),
+        "known": exp.and_(
+            all_present(setting), template.fill("program/fits", {"most": most_of(setting)})
+        ),
         "cell_key": template.added([cell_key(setting, radix=radix), term]),
     }
 

@@ -35,41 +35,46 @@ def is_robust(setting: Parameters) -> bool:
     return setting.range == ROBUST
 
 
-def add_bounds(one: OfSet, body: str = "range", readings: str = "readings") -> None:
+def add_bounds(set_steps: OfSet, body: str = "range", readings: str = "readings") -> None:
     """Add the bounds of one set, after *calibrated*.
 
     Args:
-        one: the set.
+        set_steps: the steps of the set.
         body: the folder of ``sql/`` by which calibration samples are counted in pieces of a range.
         readings: the step that holds the readings of calibration, for the census.
     """
-    if not is_robust(one.setting):
+    if not is_robust(set_steps.setting):
         none = [exp.alias_(value, name) for name, value in DROPPED.items()]
-        one.add("support/bounds", {"dropped": none, "carried": []})
+        set_steps.add("support/bounds", {"dropped": none, "carried": []})
         return
     rounds = [f"range_{number}" for number in range(ROUNDS + 1)]
-    one.add("range/whole", name=rounds[0])
+    set_steps.add("range/whole", name=rounds[0])
     for number, (before, name) in enumerate(pairwise(rounds), start=1):
         tables = {"range_before": before, "readings": readings}
-        one.add(f"{body}/range_counts", {"piece": piece()}, counts_of(number), tables)
-        one.add("range/narrowed", name=name, tables={"range_counts": counts_of(number)})
+        set_steps.add(f"{body}/range_counts", {"piece": piece()}, counts_of(number), tables)
+        set_steps.add("range/narrowed", name=name, tables={"range_counts": counts_of(number)})
         # Where a round drops nothing, no later one does.
-        one.steps.rounds[one.named(name)] = [one.named(later) for later in rounds[number + 1 :]]
-    one.steps.add(
-        one.named("rounds"),
-        union_of(one.steps, [one.named(name) for name in rounds], _ROUND),
+        set_steps.steps.rounds[set_steps.named(name)] = [
+            set_steps.named(later) for later in rounds[number + 1 :]
+        ]
+    set_steps.steps.add(
+        set_steps.named("rounds"),
+        union_of(set_steps.steps, [set_steps.named(name) for name in rounds], _ROUND),
         "Rounds: the range of each support before the first round and after each that drops samples.",
     )
-    one.add("range/ranged")
-    said: list[exp.Expr] = []
+    set_steps.add("range/ranged")
+    dropped: list[exp.Expr] = []
     for name, nothing in DROPPED.items():
         of_column: dict[str, template.Slot] = {
             "column": exp.column(name, table="seen"),
             "nothing": nothing,
         }
-        said.append(exp.alias_(template.fill("range/dropped", of_column), name))
-    slots: dict[str, template.Slot] = {"dropped": said, "carried": [exp.column(one) for one in DROPPED]}
-    one.add("support/bounds", slots, tables={"calibrated": "ranged"})
+        dropped.append(exp.alias_(template.fill("range/dropped", of_column), name))
+    slots: dict[str, template.Slot] = {
+        "dropped": dropped,
+        "carried": [exp.column(name) for name in DROPPED],
+    }
+    set_steps.add("support/bounds", slots, tables={"calibrated": "ranged"})
 
 
 def counts_of(number: int) -> str:

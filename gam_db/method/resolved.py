@@ -48,7 +48,7 @@ class Method:
         parameters: with their overrides.
         calibration: with its overrides and pools, as the user gave it.
         kind: how the source tells time.
-        asked: the parameters as the user gave them, where calibration has chosen since.
+        requested: the parameters as the user gave them, where calibration has chosen since.
         columns: the settings in which channels of one set may differ: the steps read them as columns. Of
             these the parameters have the largest.
         programs: the column that says which program a machine runs, if the source has one.
@@ -66,7 +66,7 @@ class Method:
     parameters: Parameters
     calibration: Calibration = field(compare=False)  # may hold a dict; what is made of it is compared
     kind: TimeKind
-    asked: Parameters | None = field(default=None, compare=False)
+    requested: Parameters | None = field(default=None, compare=False)
     columns: tuple[str, ...] = ()
     programs: Programs | None = None
     assets: tuple[str, ...] = field(init=False)
@@ -77,7 +77,7 @@ class Method:
 
     def __post_init__(self) -> None:
         if self.parameters.is_open:
-            names = {name for one in self.parameters.variants() for name in one.open_settings}
+            names = {name for variant in self.parameters.variants() for name in variant.open_settings}
             options = " and ".join(f"--{name}" for name in OPENABLE if name in names)
             raise ParameterError(
                 f"Calibration chooses {options} where telemetry is read, which it is not here: "
@@ -86,14 +86,14 @@ class Method:
         settings = tuple(dict.fromkeys(self.parameters.variants()))
         longest = (setting.max_gap for setting in settings)
         gaps = (None if gap is None else length(gap, self.kind, "max_gap") for gap in longest)
-        found = {
+        resolved = {
             "assets": tuple(pattern for pattern, _ in self.calibration.cases),
             "pools": self.calibration.pools,
             "settings": settings,
             "rules": tuple(resolve(self.calibration, self.kind)),
             "gaps": tuple(gaps),
         }
-        for name, value in found.items():
+        for name, value in resolved.items():
             object.__setattr__(self, name, value)
 
     def named(self, step: str, number: int) -> str:

@@ -45,8 +45,8 @@ def by_override(parameters: Parameters, number_of: Callable[[Parameters], int]) 
     """Return a number of the parameters that a channel has, by the columns asset and channel."""
     general, *variants = parameters.variants()
     cases = [
-        (one.asset, one.channel, number_of(variant))
-        for one, variant in zip(parameters.overrides, variants, strict=True)
+        (override.asset, override.channel, number_of(variant))
+        for override, variant in zip(parameters.overrides, variants, strict=True)
     ]
     return _chosen(cases, number_of(general))
 
@@ -59,9 +59,9 @@ def add_intervals(steps: Pipeline) -> None:
 
 def add_rules(steps: Pipeline, method: Method) -> None:
     """Add how long calibration lasts, and the intervals that are declared, rule by rule (section 4)."""
-    known = ("fraction", "duration", "declared_end", "score_from")
+    names = ("fraction", "duration", "declared_end", "score_from")
     rules = [
-        {"calibration_no": number, **{name: getattr(rule, name) for name in known}}
+        {"calibration_no": number, **{name: getattr(rule, name) for name in names}}
         for number, rule in enumerate(method.rules)
     ]
     add_stacked(steps, "calibration/rules", rules)
@@ -78,14 +78,14 @@ def add_rules(steps: Pipeline, method: Method) -> None:
 
 def _chosen(cases: Sequence[tuple[str, str, int]], other: int = 0) -> exp.Expr:
     """Return the number of the first case whose patterns of asset and channel are met, else another."""
-    asked: list[tuple[exp.Expr, int]] = []
+    branches: list[tuple[exp.Expr, int]] = []
     for asset, channel, number in cases:
         met = (named_like("asset", asset), named_like("channel", channel))
         conditions = [condition for condition in met if condition is not None]
         if not conditions:
-            return template.case(asked, number)
-        asked.append((exp.and_(*conditions), number))
-    return template.case(asked, other)
+            return template.case(branches, number)
+        branches.append((exp.and_(*conditions), number))
+    return template.case(branches, other)
 
 
 def named_like(column: str, pattern: str) -> exp.Expr | None:

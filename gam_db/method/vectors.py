@@ -10,17 +10,17 @@ from gam_db.clock import LONG_AGO
 from gam_db.composing import template
 from gam_db.method.adding import OfSet
 from gam_db.method.programs import TAUGHT, coded, keyed, numbers
-from gam_db.method.slots import cell_key, code_in, coordinates, known, outside, place_in
+from gam_db.method.slots import all_present, cell_key, code_in, coordinates, outside, place_in
 from gam_db.settings.parameters import Parameters
 
 
 def add_vectors(
-    one: OfSet,
+    set_steps: OfSet,
     prefix: str,
-    asked: Collection[str] = (),
+    marks: Collection[str] = (),
     carried: Sequence[str] = (),
-    told: Sequence[exp.Expr] = (),
-    known: Mapping[str, template.Slot] | None = None,
+    columns: Sequence[exp.Expr] = (),
+    special_slots: Mapping[str, template.Slot] | None = None,
     has_keys: bool = True,
 ) -> None:
     """Add the vectors of one set (Eq. 1) over the codes of the same prefix.
@@ -35,68 +35,70 @@ def add_vectors(
     * ``still_so_far``: how many samples stood still, up to it.
 
     Args:
-        one: the set.
+        set_steps: the steps of the set.
         prefix: of the steps.
-        asked: of these.
+        marks: of these.
         carried: columns of the codes that travel with the vectors.
-        told: what else is told of a vector, by its own columns.
-        known: slots otherwise than usual, where it is known that all coordinates are there, or that keys
-            are small.
+        columns: what else is told of a vector, by its own columns.
+        special_slots: slots otherwise than usual, where it is known that all coordinates are there, or
+            that keys are small.
         has_keys: whether cells matter; else it does not matter which program ran.
     """
-    setting = one.setting
-    is_marked = "calibration_vector" in asked
-    delays, span = delays_of(one), span_of(one)
-    read = [name for name in ("radix", "tau") if name in one.method.columns]
-    inner = [*read, *(column.name for column in numbers(one) if has_keys)]
-    codes, over, whole = add_last_codes(one, prefix, [*carried, *inner, *["calibrating"] * is_marked])
+    setting = set_steps.setting
+    is_marked = "calibration_vector" in marks
+    delays, span = delays_of(set_steps), span_of(set_steps)
+    read = [name for name in ("radix", "tau") if name in set_steps.method.columns]
+    inner = [*read, *(column.name for column in numbers(set_steps) if has_keys)]
+    codes, over, whole = add_last_codes(
+        set_steps, prefix, [*carried, *inner, *["calibrating"] * is_marked]
+    )
     delayed: list[exp.Expr] = [exp.column(name) for name in carried]
-    said = [*delayed, *told]
+    vector_columns = [*delayed, *columns]
     delayed += [exp.column(name) for name in inner]
     if is_marked:
         over["oldest_time"] = _before("time", span)
         over["last_uncalibrated"] = _newest(exp.column("calibrating").eq(0), setting.span)
         taught = _flag(template.fill("embedding/in_calibration"))
-        said.append(exp.alias_(taught, "calibration_vector"))
-    if "straddling" in asked:
+        vector_columns.append(exp.alias_(taught, "calibration_vector"))
+    if "straddling" in marks:
         touched = [exp.column(f"calibrating_{k}") for k in range(setting.m)]
         over |= {of.name: _before("calibrating", delays[k]) for k, of in enumerate(touched) if k}
         delayed.append(exp.alias_(exp.column("calibrating"), touched[0].name))
         touching = exp.or_(
             *(template.fill("embedding/straddling", {"calibrating": of}) for of in touched)
         )
-        said.append(exp.alias_(_flag(touching), "straddling"))
-    if "oldest_time" in asked:
+        vector_columns.append(exp.alias_(_flag(touching), "straddling"))
+    if "oldest_time" in marks:
         over["oldest_time"] = _before("time", span)
-        said.append(exp.column("oldest_time"))
-    if "still_so_far" in asked:
+        vector_columns.append(exp.column("oldest_time"))
+    if "still_so_far" in marks:
         over["still_so_far"] = template.fill("embedding/still_so_far")
-        said.append(exp.column("still_so_far"))
-    if "doubled" in asked:
+        vector_columns.append(exp.column("still_so_far"))
+    if "doubled" in marks:
         # Where the next vector begins with the sample before this one, its time is known already.
         is_next = span == 2 and setting.still_after is None
         previous = exp.column("context_time" if is_next else "previous_time")
         if not is_next:
             over[previous.name] = _before("time", 1)
         doubled = template.fill("embedding/doubled", {"previous_time": previous})
-        said.append(exp.alias_(_flag(doubled), "doubled"))
+        vector_columns.append(exp.alias_(_flag(doubled), "doubled"))
         whole = exp.or_(whole, doubled)
     coordinates = {f"code_{k}": _before("code", delays[k]) for k in range(1, setting.m)}
     slots: dict[str, template.Slot] = {
         "delayed": [*_named(coordinates), *delayed, *_named(over)],
         "context": _context(setting, span),
-        "carried": said,
+        "carried": vector_columns,
         "whole": whole,
-        **(keyed(one) if has_keys else {}),
-        **(known or {}),
+        **(keyed(set_steps) if has_keys else {}),
+        **(special_slots or {}),
     }
-    one.add("embedding/vectors", slots, f"{prefix}vectors", {"codes": codes})
+    set_steps.add("embedding/vectors", slots, f"{prefix}vectors", {"codes": codes})
 
 
-def delays_of(one: OfSet) -> list[int | exp.Expr]:
+def delays_of(set_steps: OfSet) -> list[int | exp.Expr]:
     """Return the delays of the coordinates of a vector, in samples; of a column where tau is one."""
-    setting = one.setting
-    if "tau" not in one.method.columns:
+    setting = set_steps.setting
+    if "tau" not in set_steps.method.columns:
         return [k * setting.tau for k in range(setting.m)]
     tau = exp.column("tau")
     delays: list[int | exp.Expr] = [0, tau]
@@ -106,9 +108,9 @@ def delays_of(one: OfSet) -> list[int | exp.Expr]:
     return delays[: setting.m]
 
 
-def span_of(one: OfSet, table: str | None = None) -> int | exp.Expr:
+def span_of(set_steps: OfSet, table: str | None = None) -> int | exp.Expr:
     """Return (m - 1) tau, likewise; the column is that of a table."""
-    span = delays_of(one)[-1]
+    span = delays_of(set_steps)[-1]
     if isinstance(span, exp.Expr):
         span = span.copy()
         for column in span.find_all(exp.Column):
@@ -121,34 +123,34 @@ def compared(setting: Parameters) -> list[exp.Expr]:
     return [] if setting.still_after is None else [exp.column("value")]
 
 
-def varying(one: OfSet) -> list[exp.Expr]:
+def varying(set_steps: OfSet) -> list[exp.Expr]:
     """Return what codes carry besides: settings in which channels differ, all but bins, and programs."""
-    read = (name for name in one.method.columns if name in ("radix", "max_gap", "tau"))
-    return [*map(exp.column, read), *numbers(one)]
+    read = (name for name in set_steps.method.columns if name in ("radix", "max_gap", "tau"))
+    return [*map(exp.column, read), *numbers(set_steps)]
 
 
-def add_earlier(one: OfSet, prefix: str, samples: str, delays: Sequence[int]) -> None:
+def add_earlier(set_steps: OfSet, prefix: str, samples: str, delays: Sequence[int]) -> None:
     """Add *probed* of one set: its picked vectors with the values so many samples before their newest.
 
     Each is one of calibration, in the segment of the newest one, and counts as usual.
     """
     until = exp.column("time", table="sampled") <= exp.column("calibration_end", table="scale")
-    slots, tables = coded(one, TAUGHT)
-    slots |= {"read": until, "carried": [exp.column("value"), *numbers(one)]}
-    one.add("support/marked_codes", slots, f"{prefix}codes", {"samples": samples} | tables)
-    ran = [column.name for column in numbers(one)]
-    codes, _, _ = add_last_codes(one, prefix, ["calibrating", "value", *ran])
-    has_gap = one.method.gaps[one.number] is not None
+    slots, tables = coded(set_steps, TAUGHT)
+    slots |= {"read": until, "carried": [exp.column("value"), *numbers(set_steps)]}
+    set_steps.add("support/marked_codes", slots, f"{prefix}codes", {"samples": samples} | tables)
+    ran = [column.name for column in numbers(set_steps)]
+    codes, _, _ = add_last_codes(set_steps, prefix, ["calibrating", "value", *ran])
+    has_gap = set_steps.method.gaps[set_steps.number] is not None
     over, values = _earlier(exp.column("known_value"), delays, has_gap)
     if has_gap and delays:
         over["segment_from"] = _newest(exp.column("breaking").eq(1), max(delays) - 1)
-    of_placed = [exp.alias_(exp.column(name, table="placed"), name) for name in ran]
+    program_columns = [exp.alias_(exp.column(name, table="placed"), name) for name in ran]
     probed: dict[str, template.Slot] = {
-        "told": [*[exp.column("breaking")] * (has_gap and bool(delays)), *numbers(one)],
-        "delayed": [*_named(over), *numbers(one)],
-        "reached": [*values, *of_placed],
+        "told": [*[exp.column("breaking")] * (has_gap and bool(delays)), *numbers(set_steps)],
+        "delayed": [*_named(over), *numbers(set_steps)],
+        "reached": [*values, *program_columns],
     }
-    one.add("probe/probed", probed, tables={"codes": codes})
+    set_steps.add("probe/probed", probed, tables={"codes": codes})
 
 
 def _earlier(
@@ -246,15 +248,15 @@ def stream_slots(
         columns.append(exp.column("context_time"))
     whole = template.fill("embedding/whole", {"span": setting.span})
     if stream.gap is not None:
-        told_by, whole = _in_segment(setting, setting.span, rows=1)
-        over |= told_by
+        segment_columns, whole = _in_segment(setting, setting.span, rows=1)
+        over |= segment_columns
     if delays:
         value = template.fill("streams/known_value")
         earlier, values = _earlier(value, delays[1:], stream.gap is not None, rows=1)
         over |= {"x_0": value, **earlier}
         columns += [exp.column("x_0"), *values]
     return {
-        "known": known(setting) if stream.lacks else exp.true(),
+        "known": all_present(setting) if stream.lacks else exp.true(),
         "whole": whole,
         "cell_key": cell_key(setting, "streams/cell_term"),
         "coordinates": columns,
@@ -314,7 +316,7 @@ def _reach(setting: Parameters, span: int | exp.Expr) -> int | exp.Expr:
 
 
 def add_last_codes(
-    one: OfSet, prefix: str, carried: Sequence[str]
+    set_steps: OfSet, prefix: str, carried: Sequence[str]
 ) -> tuple[str, dict[str, exp.Expr], exp.Expr]:
     """Add the codes of one set by segment, if segments end, and by stillness, if samples may be still.
 
@@ -322,23 +324,23 @@ def add_last_codes(
         What the last step is called, the columns over its order that tell whether all samples of a
         vector are in one segment, and the condition that they are, and as many as it takes.
     """
-    setting, codes = one.setting, f"{prefix}codes"
-    span = span_of(one)
-    told_by, whole = dict[str, exp.Expr](), template.fill("embedding/whole", {"span": span})
+    setting, codes = set_steps.setting, f"{prefix}codes"
+    span = span_of(set_steps)
+    segment_columns, whole = dict[str, exp.Expr](), template.fill("embedding/whole", {"span": span})
     columns: list[exp.Expr] = [exp.column(name) for name in carried]
-    breaking, gap = None, one.method.gaps[one.number]
+    breaking, gap = None, set_steps.method.gaps[set_steps.number]
     if gap is not None:
-        breaking = _breaking(exp.column("max_gap") if "max_gap" in one.method.columns else gap)
-        told_by, whole = _in_segment(setting, span)
+        breaking = _breaking(exp.column("max_gap") if "max_gap" in set_steps.method.columns else gap)
+        segment_columns, whole = _in_segment(setting, span)
     if setting.still_after is not None:
         before, codes = codes, f"{prefix}moving_codes"
-        own = movement(setting.still_after, [exp.column("channel_id"), *columns], breaking)
-        one.add("embedding/moving_codes", own, codes, {"codes": before})
+        slots = movement(setting.still_after, [exp.column("channel_id"), *columns], breaking)
+        set_steps.add("embedding/moving_codes", slots, codes, {"codes": before})
     elif breaking is not None:
         before, codes = codes, f"{prefix}breaking_codes"
-        own = {"breaking": breaking, "carried": columns}
-        one.add("embedding/breaking_codes", own, codes, {"codes": before})
-    return codes, told_by, whole
+        slots = {"breaking": breaking, "carried": columns}
+        set_steps.add("embedding/breaking_codes", slots, codes, {"codes": before})
+    return codes, segment_columns, whole
 
 
 def _breaking(gap: int | exp.Expr, rows: int | None = None) -> exp.Expr:

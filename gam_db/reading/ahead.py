@@ -80,13 +80,13 @@ def rows_ahead(session: Session, readings: exp.Query | exp.Table, latest: int) -
         readings: the step *readings*, at least from that instant on, or the table that keeps it.
         latest: the instant, in microseconds.
     """
-    steps, placed = Pipeline(), {}
+    steps, tables = Pipeline(), {}
     if isinstance(readings, exp.Table):
-        placed["readings"] = readings
+        tables["readings"] = readings
     else:
         steps.add("readings", readings)
     add(steps, "source/ahead", {"latest": latest})
-    return session.rows(steps.query("ahead", placed))
+    return session.rows(steps.query("ahead", tables))
 
 
 def zone_hours(rows: Sequence[Row], channels: int, clock: Clock) -> float | None:

@@ -27,8 +27,8 @@ from gam_db.settings.setting import (
     LENGTH,
     TEXT,
     TEXT_OR_TEXTS,
+    choice_of,
     declared,
-    one_of,
     setting,
 )
 from gam_db.settings.source import AnySource, Source, WideSource, as_folder, is_file
@@ -37,7 +37,7 @@ from gam_db.settings.source import AnySource, Source, WideSource, as_folder, is_
 Column: TypeAlias = str | Literal[False] | None
 
 #: One column per channel, said by a word in gam.toml and by an option without a value.
-LAYOUT = dataclasses.replace(one_of("long", "wide"), option=bool, read=lambda *_: "wide")
+LAYOUT = dataclasses.replace(choice_of("long", "wide"), option=bool, read=lambda *_: "wide")
 
 
 @declared
@@ -55,7 +55,7 @@ class SourceSettings(Form):
     channels: tuple[str, ...] | None = setting(None, COLUMNS)
     where: str | None = setting(None, TEXT)
     where_any: bool | None = setting(None, FLAG)
-    time_kind: str | None = setting(None, one_of("timestamp", "timestamp with time zone", "counter"))
+    time_kind: str | None = setting(None, choice_of("timestamp", "timestamp with time zone", "counter"))
     clock_tolerance: Length | Literal[False] | None = setting(None, LENGTH, off=(False, "any time"))
 
     @property
@@ -74,9 +74,9 @@ class SourceSettings(Form):
 
 
 #: role -> names that say it, in two strengths.
-KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
-    role: (frozenset(said["strong"].split()), frozenset(said["weak"].split()))
-    for role, said in data.table("gam_db.reading", "guess.toml").items()
+COLUMN_NAMES: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
+    role: (frozenset(words["strong"].split()), frozenset(words["weak"].split()))
+    for role, words in data.table("gam_db.reading", "guess.toml").items()
 }
 _TAIL = re.compile(r"(?<=..)(id|name|number|no|nr)$")
 
@@ -95,7 +95,9 @@ class Guess:
     unused: tuple[str, ...]  # columns that are not read
 
 
-def guess(relation: Any, columns: Mapping[str, str], said: SourceSettings, session: Session) -> Guess:
+def guess(
+    relation: Any, columns: Mapping[str, str], settings: SourceSettings, session: Session
+) -> Guess:
     """Return the source that the settings mean, the columns that were not named being guessed.
 
     Columns are name -> type, in order; of the settings columns, layout and condition are looked at.
@@ -105,24 +107,24 @@ def guess(relation: Any, columns: Mapping[str, str], said: SourceSettings, sessi
             the message lists the columns and the options to use.
         ConfigurationError: a condition holds what is not listed for the engine, and was not let.
     """
-    said.check_conditions(session.engine)
-    return _Guesser(columns, said, session).guess(relation)
+    settings.check_conditions(session.engine)
+    return _Guesser(columns, settings, session).guess(relation)
 
 
-def folder_or_table(given: Any, session: Session) -> Any:
+def folder_or_table(relation: Any, session: Session) -> Any:
     """Return a relation with the slash of a folder, if it is one and no table has its name."""
-    folder = as_folder(given)
-    if not isinstance(given, str) or folder == given:
+    folder = as_folder(relation)
+    if not isinstance(relation, str) or folder == relation:
         return folder  # the database is not asked for its tables: a user may have no schema of his own
-    return given if given.casefold() in session.relations() else folder
+    return relation if relation.casefold() in session.relations() else folder
 
 
-def sourced(given: Any, session: Session) -> AnySource:
+def sourced(source: Any, session: Session) -> AnySource:
     """Return a source as it was given, or what is meant by a relation alone: see :func:`looked_up`."""
-    return looked_up(given, session).source
+    return looked_up(source, session).source
 
 
-def looked_up(given: Any, session: Session) -> Guess:
+def looked_up(source: Any, session: Session) -> Guess:
     """Return a source as it was given, or what is meant by a relation alone, its columns guessed.
 
     That is a path, a list of paths, a folder, the name of a table, a data frame of pandas or polars, an
@@ -132,54 +134,54 @@ def looked_up(given: Any, session: Session) -> Guess:
     Raises:
         SourceError: it cannot be read, or a column cannot be guessed.
     """
-    if isinstance(given, (Source, WideSource)):
-        return Guess(given, {}, ())
-    said = SourceSettings()
-    if isinstance(given, (list, tuple)) and is_file(several := [as_folder(one) for one in given]):
-        given = several
-    given = folder_or_table(given, session)
-    if isinstance(given, (str, Path, list, tuple)):
-        return guess(given, session.describe(session.relation(given)), said, session)
-    if (signal := signal_table(given)) is not None:
+    if isinstance(source, (Source, WideSource)):
+        return Guess(source, {}, ())
+    settings = SourceSettings()
+    if isinstance(source, (list, tuple)) and is_file(several := [as_folder(path) for path in source]):
+        source = several
+    source = folder_or_table(source, session)
+    if isinstance(source, (str, Path, list, tuple)):
+        return guess(source, session.describe(session.relation(source)), settings, session)
+    if (signal := signal_table(source)) is not None:
         time, value = signal.column_names
         return Guess(Source(signal, asset=None, channel=None, time=time, value=value), {}, ())
-    table = arrow_table(given)
+    table = arrow_table(source)
     with session.lent(table) as relation:
-        return guess(table, session.describe(relation), said, session)
+        return guess(table, session.describe(relation), settings, session)
 
 
 class _Guesser:
     """One guess under way: the columns that are still free, and what was found."""
 
-    def __init__(self, columns: Mapping[str, str], said: SourceSettings, session: Session) -> None:
+    def __init__(self, columns: Mapping[str, str], settings: SourceSettings, session: Session) -> None:
         self.columns = columns
-        self.said = said
+        self.settings = settings
         self.types = session.engine.types
         self.guessed: dict[str, str] = {}
-        self.wide = said.layout == "wide" or said.channels is not None
+        self.wide = settings.layout == "wide" or settings.channels is not None
         named = {
             role: column
             for role in ("asset", "channel", "time", "value")
-            if isinstance(column := getattr(said, role), str)
+            if isinstance(column := getattr(settings, role), str)
         }
-        for role, column in [*named.items(), *(("channel", name) for name in said.channels or ())]:
+        for role, column in [*named.items(), *(("channel", name) for name in settings.channels or ())]:
             if column not in columns:
                 hint = nearest(column, columns)
                 raise SourceError(f"There is no column {column!r} for {_WHAT[role]}{hint}")
-        taken = {*named.values(), *(said.channels or ())}
+        taken = {*named.values(), *(settings.channels or ())}
         self.free = [name for name in columns if name not in taken]
 
     def guess(self, relation: Any) -> Guess:
-        time = self.said.time or self._time()
+        time = self.settings.time or self._time()
         asset = self._name("asset")
         channel = None if self.wide else self._name("channel")
-        value = None if self.wide else self.said.value or self._value(channel)
+        value = None if self.wide else self.settings.value or self._value(channel)
         self._ask_about_texts(asset, channel)
-        where, kind, written = self.said.where, self.said.time_kind, self.said.written
-        written = {**written, "clock_tolerance": self.said.clock_tolerance}
+        where, kind, written = self.settings.where, self.settings.time_kind, self.settings.written
+        written = {**written, "clock_tolerance": self.settings.clock_tolerance}
         source: AnySource
         if value is None:
-            signals = self.said.channels or tuple(self._numeric())
+            signals = self.settings.channels or tuple(self._numeric())
             if not signals:
                 raise self._unclear("No numeric column is left that could hold readings", ("value",))
             source = WideSource(relation, signals, asset, time, where, kind, **written)
@@ -190,28 +192,28 @@ class _Guesser:
 
     def _time(self) -> str:
         """A strong name, then the only calendar column, then weak names; weak ones must fit by type."""
-        if (found := self._by_name("time", self.free, weak=False)) is None:
+        if (column := self._by_name("time", self.free, weak=False)) is None:
             kinds = {name: self.types.time_kind(self.columns[name]) for name in self.free}
             calendars = [name for name, kind in kinds.items() if kind and not kind.is_counter]
             if len(calendars) == 1:
                 return self._take("time", calendars[0])
-            is_said = self.said.time_unit is not None  # then numbers may be times, too
+            has_unit = self.settings.time_unit is not None  # then numbers may be times, too
             fitting = [
                 name
                 for name, kind in kinds.items()
-                if kind or (is_said and self.types.is_numeric(self.columns[name]))
+                if kind or (has_unit and self.types.is_numeric(self.columns[name]))
             ]
-            if (found := self._by_name("time", calendars or fitting or self.free)) is None:
+            if (column := self._by_name("time", calendars or fitting or self.free)) is None:
                 many = f"{_listed(calendars)} could each be" if calendars else "No column looks like"
                 raise self._unclear(f"{many} the time", ("time",))
-        return self._take("time", found)
+        return self._take("time", column)
 
     def _name(self, role: str) -> str | None:
-        if (said := getattr(self.said, role)) is not None:
-            return said or None
+        if (named := getattr(self.settings, role)) is not None:
+            return named or None
         fitting = [name for name in self.free if self.types.is_name(self.columns[name])]
-        found = self._by_name(role, fitting)
-        return None if found is None else self._take(role, found)
+        column = self._by_name(role, fitting)
+        return None if column is None else self._take(role, column)
 
     def _value(self, channel: str | None) -> str | None:
         """Return the column of the readings; None where the table turns out to be wide."""
@@ -222,7 +224,7 @@ class _Guesser:
             return self._take("value", numeric[0])
         if not numeric:
             raise self._unclear("No numeric column is left that could hold readings", ("value",))
-        if channel is None and self.said.channel is None and self.said.layout is None:
+        if channel is None and self.settings.channel is None and self.settings.layout is None:
             self.guessed["layout"] = "wide: no column names the signal, so each numeric column is one"
             return None
         if (weak := self._by_name("value", numeric)) is None:
@@ -234,8 +236,10 @@ class _Guesser:
         is_wide = self.wide or "layout" in self.guessed
         open_roles = [
             role
-            for role, found in (("asset", asset), ("channel", channel))
-            if found is None and getattr(self.said, role) is None and not (role == "channel" and is_wide)
+            for role, column in (("asset", asset), ("channel", channel))
+            if column is None
+            and getattr(self.settings, role) is None
+            and not (role == "channel" and is_wide)
         ]
         free = ((name, self.columns[name]) for name in self.free)
         texts = [name for name, of in free if self.types.is_name(of) and not self.types.is_numeric(of)]
@@ -244,12 +248,12 @@ class _Guesser:
             raise self._unclear(f"{_listed(texts)} may name {what}", open_roles)
 
     def _by_name(self, role: str, among: Iterable[str], weak: bool = True) -> str | None:
-        for names in KNOWN[role] if weak else KNOWN[role][:1]:
-            found = [name for name in among if {plain := _plain(name), _TAIL.sub("", plain)} & names]
-            if len(found) > 1:
-                raise self._unclear(f"{_listed(found)} could each be {_WHAT[role]}", (role,))
-            if found:
-                return found[0]
+        for names in COLUMN_NAMES[role] if weak else COLUMN_NAMES[role][:1]:
+            matches = [name for name in among if {plain := _plain(name), _TAIL.sub("", plain)} & names]
+            if len(matches) > 1:
+                raise self._unclear(f"{_listed(matches)} could each be {_WHAT[role]}", (role,))
+            if matches:
+                return matches[0]
         return None
 
     def _take(self, role: str, column: str) -> str:
@@ -259,10 +263,10 @@ class _Guesser:
 
     def _numeric(self) -> list[str]:
         """Return what may hold readings: numbers, else truths, else texts if they were said to be."""
-        types, said = self.types, self.said.reads_words
-        for holds in (types.is_numeric, types.is_truth, *([types.is_text] if said else [])):
-            if found := [name for name in self.free if holds(self.columns[name])]:
-                return found
+        types, reads_words = self.types, self.settings.reads_words
+        for holds in (types.is_numeric, types.is_truth, *([types.is_text] if reads_words else [])):
+            if columns := [name for name in self.free if holds(self.columns[name])]:
+                return columns
         return []
 
     def _unclear(self, what: str, roles: Sequence[str]) -> SourceError:

@@ -31,18 +31,20 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
     if isinstance(source, WideSource) and source.channels is None:
         types, others = session.engine.types, (source.asset, source.time, source.program)
         for holds in (types.is_numeric, types.is_truth):
-            if found := tuple(name for name, of in columns.items() if name not in others and holds(of)):
+            if channels := tuple(
+                name for name, of in columns.items() if name not in others and holds(of)
+            ):
                 break
         else:
             raise SourceError("The wide table has no numeric column beside asset and time.")
-        source = dataclasses.replace(source, channels=found)
+        source = dataclasses.replace(source, channels=channels)
     for role, column in source.columns.items():
         if column not in columns:
-            said = f"The relation has no column {column!r} for {role}"
-            said += f" ({role}=None if there is only one)" if role in ("asset", "channel") else ""
+            sentence = f"The relation has no column {column!r} for {role}"
+            sentence += f" ({role}=None if there is only one)" if role in ("asset", "channel") else ""
             if isinstance(source, Source) and source.columns == Source("").columns:
-                said += "; name the columns, or give the relation itself, whose columns are guessed"
-            raise SourceError(f"{said}{nearest(column, columns, _NAMED)}")
+                sentence += "; name the columns, or give the relation itself, whose columns are guessed"
+            raise SourceError(f"{sentence}{nearest(column, columns, _NAMED)}")
         _check_type(role, column, columns[column], session, source.time_unit)
     return source
 
@@ -58,8 +60,8 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
     check_zone(source, kind)
     declared = declared_kind(source)
     if declared is not None and declared.is_counter != kind.is_counter:
-        said = columns[source.time]
-        raise wrong("time_kind_differs", value=declared.value, time=source.time, said=said)
+        type_name = columns[source.time]
+        raise wrong("time_kind_differs", value=declared.value, time=source.time, said=type_name)
     return kind
 
 
@@ -86,8 +88,8 @@ def check_rows(names: pa.Table, source: AnySource, ask: Callable[[], Undated], e
     nameless["time"] = sum(row["without_time"] for row in rows)
     if any(nameless.values()):
         undated = ask() if nameless["time"] else None
-        found, where, advice = nowhere(source, nameless, undated, engine)
-        raise wrong("nameless_rows", names=found, where=where, advice=advice)
+        counts, where, advice = nowhere(source, nameless, undated, engine)
+        raise wrong("nameless_rows", names=counts, where=where, advice=advice)
     check_clock(names)
 
 
@@ -102,16 +104,16 @@ def nowhere(
         undated: the rows that tell no time; None for none.
         engine: that reads it.
     """
-    found, conditions, advice = [], [], ""
+    counts, conditions, advice = [], [], ""
     for role in ("asset", "channel"):
         if nameless[role]:
-            found.append(f"{nameless[role]:,} without {role}")
+            counts.append(f"{nameless[role]:,} without {role}")
             conditions.append(f"{shown_column(source.columns[role])} IS NOT NULL")
     if undated is not None and undated.count:
-        found.append(f"{undated.count:,} without time ({undated.causes(source)})")
+        counts.append(f"{undated.count:,} without time ({undated.causes(source)})")
         conditions.append(undated.condition(source, engine))
         advice = undated.advice(source)
-    return ", ".join(found), without(source, *conditions), advice
+    return ", ".join(counts), without(source, *conditions), advice
 
 
 def check_clock(names: pa.Table) -> None:

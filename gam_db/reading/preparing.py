@@ -55,19 +55,21 @@ def prepared(session: Session, source: AnySource) -> Prepared:
     if source.where is not None:
         session.check_condition(stored, parsed_condition(source.where), str(source.where))
     source = look.resolved(source, columns, session)
-    made = _made(session, source, columns, stored)
+    ready = _prepared(session, source, columns, stored)
     if (condition := source.valid_when) is not None:
         valid = parsed_condition(condition, "valid_when")
-        session.check_condition(made.relation, valid, condition, "valid_when")
+        session.check_condition(ready.relation, valid, condition, "valid_when")
     if source.source_time_zone is not None:
-        _check_local(session, source, made.columns, made.stored)
+        _check_local(session, source, ready.columns, ready.stored)
     if (column := source.program) is None:
-        return made
-    programs = Programs(column, session.engine.types.is_whole(made.columns[column]))
-    return dataclasses.replace(made, programs=programs)
+        return ready
+    programs = Programs(column, session.engine.types.is_whole(ready.columns[column]))
+    return dataclasses.replace(ready, programs=programs)
 
 
-def _made(session: Session, source: AnySource, columns: dict[str, str], stored: exp.Expr) -> Prepared:
+def _prepared(
+    session: Session, source: AnySource, columns: dict[str, str], stored: exp.Expr
+) -> Prepared:
     """Return a source of which it is known that its columns are there."""
     columns, stored = as_written(session, source, columns, stored)
     session.suspects += suspects(session, source, columns, stored)
@@ -82,8 +84,8 @@ def _made(session: Session, source: AnySource, columns: dict[str, str], stored: 
     # of the column in it.
     described = columns
     if source.time in changes:
-        is_made = source.time_unit is not None
-        described = {source.time: "TIMESTAMP"} if is_made else session.describe(relation)
+        is_computed = source.time_unit is not None
+        described = {source.time: "TIMESTAMP"} if is_computed else session.describe(relation)
     kind = look.kind_of(rows, described, session)
     return Prepared(source, columns, stored, rows, relation, kind)
 
@@ -154,15 +156,15 @@ def with_times_read(
 
     if kind.is_counter:
         meant = engine.texts.count(words)
-        if found := misread(meant).first():
-            check_header(source, time, found)
-            raise wrong("texts_are_no_counts", time=time, said=first_of(found))
+        if misfits := misread(meant).first():
+            check_header(source, time, misfits)
+            raise wrong("texts_are_no_counts", time=time, said=first_of(misfits))
         return read(meant)
     meant = engine.texts.instant(words, source.time_format)
-    if found := misread(meant).first():
-        ways = ways_of(source, found, lambda way: misread(engine.texts.instant(words, way)))  # type: ignore[union-attr]
+    if misfits := misread(meant).first():
+        ways = ways_of(source, misfits, lambda way: misread(engine.texts.instant(words, way)))  # type: ignore[union-attr]
         if len(ways) != 1 or "%Y" not in ways[0]:
-            raise no_times(source, found, ways)
+            raise no_times(source, misfits, ways)
         meant = engine.texts.instant(words, ways[0])
     if kind is TimeKind.TIMESTAMP_WITH_ZONE or "%z" in (source.time_format or ""):
         meant = engine.instant_of(kind, engine.micros_of(TimeKind.TIMESTAMP_WITH_ZONE, meant))
@@ -191,9 +193,11 @@ def _changes(
     if texts is not None and types.is_text(time):
         words, of_format = but_nulls(template.column(source.time), source.null), texts.instant
         meant = changes[source.time] = of_format(words, source.time_format)
-        if found := misread(words, meant).first():
+        if misfits := misread(words, meant).first():
             raise no_times(
-                source, found, ways_of(source, found, lambda way: misread(words, of_format(words, way)))
+                source,
+                misfits,
+                ways_of(source, misfits, lambda way: misread(words, of_format(words, way))),
             )
     elif source.time_unit and types.is_numeric(time):
         changes[source.time] = _since_1970(session, source, time)
@@ -207,8 +211,8 @@ def _check_local(session: Session, source: AnySource, columns: dict[str, str], s
     if engine.zoned is None or not of_texts:
         return
     condition = exp.and_(parsed_condition(source.where), engine.zoned(template.column(source.time)))
-    found = exp.select(exp.Literal.number(1).as_("one")).from_(stored.copy()).where(condition).limit(1)
-    if session.rows(found):
+    query = exp.select(exp.Literal.number(1).as_("one")).from_(stored.copy()).where(condition).limit(1)
+    if session.rows(query):
         raise wrong("zone_of_no_local_time", time=source.time, kind="times with a zone")
 
 
@@ -230,7 +234,11 @@ def _but_numbers(
         ifs.append(exp.In(this=read, expressions=numbers))
     if not ifs:
         return {}
-    return {name: exp.Case(ifs=[exp.If(this=one, true=exp.null()) for one in ifs], default=column)}
+    return {
+        name: exp.Case(
+            ifs=[exp.If(this=condition, true=exp.null()) for condition in ifs], default=column
+        )
+    }
 
 
 def _since_1970(session: Session, source: AnySource, type_name: str) -> exp.Expr:

@@ -52,18 +52,18 @@ class Undated:
 
     def causes(self, source: AnySource) -> str:
         """Return why, in words."""
-        said = []
+        causes = []
         if self.absent:
-            said.append(f"{self.absent:,} NULL")
+            causes.append(f"{self.absent:,} NULL")
         if self.endless:
-            said.append(f"{self.endless:,} an infinite time or no date of the calendar")
+            causes.append(f"{self.endless:,} an infinite time or no date of the calendar")
         if self.skipped:
             zone, (first, last) = source.source_time_zone, self._edges()
-            said.append(
+            causes.append(
                 f"{self.skipped:,} a local time that does not exist in {zone}, as clocks go forward: "
                 f"{first} to {last}"
             )
-        return ", ".join(said)
+        return ", ".join(causes)
 
     def advice(self, source: AnySource) -> str:
         """Return what to say instead of a zone whose clocks do not skip these times."""
@@ -81,12 +81,12 @@ class Undated:
         """Return the condition that leaves these rows out, as ``where`` takes it on an engine."""
         time = shown_column(source.time)
         compared = engine.comparable.format(column=time)
-        said = [f"{time} IS NOT NULL"] if self.absent and not self.endless else []
-        said += [engine.dated.format(column=time)] if self.endless else []
+        conditions = [f"{time} IS NOT NULL"] if self.absent and not self.endless else []
+        conditions += [engine.dated.format(column=time)] if self.endless else []
         for first, last in self._gaps(source):
             edges = f">= TIMESTAMP '{_shown(first)}'", f"< TIMESTAMP '{_shown(last + 1)}'"
-            said.append(f"NOT ({compared} {edges[0]} AND {compared} {edges[1]})")
-        return " AND ".join(said)
+            conditions.append(f"NOT ({compared} {edges[0]} AND {compared} {edges[1]})")
+        return " AND ".join(conditions)
 
     def _gaps(self, source: AnySource) -> Iterator[tuple[int, int]]:
         clock = clock_of(source)
@@ -134,8 +134,8 @@ def counting(
 
 def without(source: AnySource, *conditions: str) -> str:
     """Return the user's condition and further ones, as ``where`` takes them."""
-    said = [] if source.where is None else [parsed_condition(source.where).sql("duckdb")]
-    return " AND ".join([*said, *conditions])
+    existing = [] if source.where is None else [parsed_condition(source.where).sql("duckdb")]
+    return " AND ".join([*existing, *conditions])
 
 
 def shown_column(name: str) -> str:

@@ -89,13 +89,13 @@ def _look_at_words(
         rules.append(formula(engine.whole["word"], word=column))
     meant = exp.Case(ifs=[exp.If(this=exp.and_(*rules), true=exp.Literal.number(1))])
     words = but_nulls(column, source.null if what == "number" else None)
-    found = Misfits(session, stored, parsed_condition(source.where), words, meant).first()
-    if not found:
+    misfits = Misfits(session, stored, parsed_condition(source.where), words, meant).first()
+    if not misfits:
         return
-    first = found[0]
-    nulls = [row["word"] for row in found if not any(map(str.isdigit, row["word"]))][:MOST_PROPOSED]
-    said = " ".join(map(options_for_null, nulls)) if what == "number" else ""
-    hint = f"{said} would take them for missing values; mend what is none" if said else "mend them"
+    first = misfits[0]
+    nulls = [row["word"] for row in misfits if not any(map(str.isdigit, row["word"]))][:MOST_PROPOSED]
+    options = " ".join(map(options_for_null, nulls)) if what == "number" else ""
+    hint = f"{options} would take them for missing values; mend what is none" if options else "mend them"
     wanted = {"count": "integers", "truth": "0 or 1", "time": "times in ISO 8601"}.get(what, "numbers")
     raise wrong(
         "words_among_numbers",
@@ -110,45 +110,49 @@ def _look_at_words(
     )
 
 
-def ways_of(source: AnySource, found: list[Row], misread: Callable[[str], Misfits]) -> list[str]:
+def ways_of(source: AnySource, misfits: list[Row], misread: Callable[[str], Misfits]) -> list[str]:
     """Return the formats by which all words of a column are times, none where a format was said."""
     if source.time_format is not None:
         return []
-    return [way for way in formats_for_times([row["word"] for row in found]) if not misread(way).first()]
+    return [
+        way for way in formats_for_times([row["word"] for row in misfits]) if not misread(way).first()
+    ]
 
 
-def check_numbers(source: AnySource, name: str, type_name: str, found: list[Row]) -> None:
+def check_numbers(source: AnySource, name: str, type_name: str, misfits: list[Row]) -> None:
     """Refuse a column of text that was not said to hold numbers, or holds other words, too."""
-    if source.reads_words and not found:
+    if source.reads_words and not misfits:
         return
     role = "value" if name == getattr(source, "value", None) else "channel"
-    said = f"The {role} column {name!r} is of type {type_name}; readings must be numbers: "
-    if not found:
-        raise wrong("texts_are_numbers", said=said)
-    check_header(source, name, found)
-    words = [row["word"] for row in found]
-    if found[0]["of_all"] == found[0]["texts"] and not any(map(str.isdigit, "".join(words))):
+    sentence = f"The {role} column {name!r} is of type {type_name}; readings must be numbers: "
+    if not misfits:
+        raise wrong("texts_are_numbers", said=sentence)
+    check_header(source, name, misfits)
+    words = [row["word"] for row in misfits]
+    if misfits[0]["of_all"] == misfits[0]["texts"] and not any(map(str.isdigit, "".join(words))):
         shown = ", ".join(map(shortened, words[:5])) + ", ..." * (len(words) > 5)
-        raise wrong("texts_are_words", said=said, shown=shown)
+        raise wrong("texts_are_words", said=sentence, shown=shown)
     proposed = options_for_numbers(words)
-    raise SourceError(f"{said}{first_of(found)}; {proposed} would read them, or cast it in a view.")
+    raise SourceError(
+        f"{sentence}{first_of(misfits)}; {proposed} would read them, or cast it in a view."
+    )
 
 
-def no_times(source: AnySource, found: list[Row], ways: Sequence[str]) -> UserError:
+def no_times(source: AnySource, misfits: list[Row], ways: Sequence[str]) -> UserError:
     """Return what is said of words that are no times in ISO 8601, or as was said."""
-    check_header(source, source.time, found)
+    check_header(source, source.time, misfits)
     wanted = f"a time like {source.time_format!r}" if source.time_format else "a time in ISO 8601"
     proposed = " or ".join(f"--time-format {way!r}" for way in ways[:4])
     hint = f"{proposed} would read them" if ways else "say --time-format, or --null for what is none"
     if len(ways) > 1:
         hint += ": say which is meant"
-    said = f"{first_of(found)}; {hint}"
-    return wrong("texts_are_no_times", time=source.time, wanted=wanted, said=said)
+    sentence = f"{first_of(misfits)}; {hint}"
+    return wrong("texts_are_no_times", time=source.time, wanted=wanted, said=sentence)
 
 
-def check_header(source: AnySource, name: str, found: list[Row]) -> None:
+def check_header(source: AnySource, name: str, misfits: list[Row]) -> None:
     """Refuse a text file in which lines below the first repeat the header."""
-    repeated = next((row["of_word"] for row in found if row["word"] == name), 0)
+    repeated = next((row["of_word"] for row in misfits if row["word"] == name), 0)
     if repeated and is_file(source.relation):
         columns = [source.time, *source.value_columns]
         condition = f"{template.column(source.time).sql('duckdb')} IS NOT NULL"
@@ -157,9 +161,9 @@ def check_header(source: AnySource, name: str, found: list[Row]) -> None:
         raise wrong("header_repeated", count=repeated, name=name, otherwise=otherwise)
 
 
-def first_of(found: list[Row]) -> str:
+def first_of(misfits: list[Row]) -> str:
     """Return the first word that did not fit, and how many there are like it."""
-    first = found[0]
+    first = misfits[0]
     same = f", {first['of_word']:,} times" if first["of_word"] > 1 else ""
     return (
         f"{first['of_all']:,} of {first['texts']:,} words do not fit, the first is "

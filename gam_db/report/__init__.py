@@ -58,15 +58,15 @@ _OF_PROBLEM = ("kind", "asset", "channel", "sentence", "advice")
 _PLACE = re.compile(r"\{\{([a-z-]+)\}\}")
 
 
-def _instant(name: str, given: Any) -> dt.datetime:
+def _instant(name: str, moment: Any) -> dt.datetime:
     try:
-        return aware(given if isinstance(given, dt.datetime) else dt.datetime.fromisoformat(given))
+        return aware(moment if isinstance(moment, dt.datetime) else dt.datetime.fromisoformat(moment))
     except (TypeError, ValueError):
-        raise wrong("no_moment", name=name, given=given) from None
+        raise wrong("no_moment", name=name, given=moment) from None
 
 
 #: An error names the option, or the keyword.
-_INSTANT = Kind(lambda _, name, given: _instant(name, given), read=_instant)
+_INSTANT = Kind(lambda _, name, moment: _instant(name, moment), read=_instant)
 
 
 @declared
@@ -153,18 +153,18 @@ def write(
     cells = details.cells(state, picked, wishes.raw)
     for number, row in enumerate(picked):
         mine = None if raw is None else (raw[0][number], raw[1][number])
-        told = details.detail(state, row, courses[row["place"]], mine)
-        told["growth"] = grown[row["asset"], row["channel"]]
-        shown[row["place"]] = told | cells[row["version_id"]]
+        detail = details.detail(state, row, courses[row["place"]], mine)
+        detail["growth"] = grown[row["asset"], row["channel"]]
+        shown[row["place"]] = detail | cells[row["version_id"]]
     machines = _machines(state, monitor, signals)
     place_of = {row["asset"]: number for number, row in enumerate(machines)}
-    said = [details.summary(row, wishes.raw) for row in signals]
-    made = wishes.made or dt.datetime.now(dt.UTC)
+    summaries = [details.summary(row, wishes.raw) for row in signals]
+    moment = wishes.made or dt.datetime.now(dt.UTC)
     data = {
         "version": __version__,
         "title": wishes.title,
         "monitor": monitor,
-        "made": int(made.timestamp() * SECOND),
+        "made": int(moment.timestamp() * SECOND),
         "zone": wishes.time_zone,
         "counter": kind.is_counter,
         "first": tick(first),
@@ -174,13 +174,13 @@ def write(
         "validity": _validity(state, monitor),
         "machines": {name: [row[name] for row in machines] for name in machines[0]},
         "machine": [place_of[row["asset"]] for row in signals],
-        "signals": {name: [one[name] for one in said] for name in said[0]},
+        "signals": {name: [summary[name] for summary in summaries] for name in summaries[0]},
         "alarms": _alarms(state, monitor, signals),
         "promise": _promise(state, monitor, signals),
         "watched": lacking.watched,
         "problems": {name: [row[name] for row in lacking.problems] for name in _OF_PROBLEM},
         "strips": packed(np.array(rows).reshape(-1), "u1"),
-        "details": {str(place): one for place, one in sorted(shown.items())},
+        "details": {str(place): detail for place, detail in sorted(shown.items())},
     }
     text = page(data, wishes.title).encode()
     try:
@@ -272,7 +272,7 @@ def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
     shown = {row["asset"] for row in signals}
     return [
         {
-            **{told: row[of] for told, of in _OF_MACHINE.items()},
+            **{name: row[of] for name, of in _OF_MACHINE.items()},
             "since": tick(row["since_tick"]),
             "at": tick(row["data_tick"]),
         }
@@ -294,13 +294,13 @@ def _alarms(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[str, lis
     raised = state.rows("stored/alarms/alarm_rows", {"monitor": template.text(monitor)})
     counted = figures.with_figures(raised, figures.figures(state.rows, monitor))
     advice = figures.advice_of(counted)
-    said = [advice[row["episode_id"]] or Advice("", "") for row in rows]
+    advices = [advice[row["episode_id"]] or Advice("", "") for row in rows]
     return {
         "signal": [place[row["asset"], row["channel"]] for row in rows],
         **{name: [row[of] for row in rows] for name, of in _OF_ALARM.items()},
         **{name: [tick(row[f"{name}_tick"]) for row in rows] for name in ("since", "last")},
-        "finding": [one.finding for one in said],
-        "advice": [one.advice for one in said],
+        "finding": [words.finding for words in advices],
+        "advice": [words.advice for words in advices],
     }
 
 
@@ -339,13 +339,13 @@ def _frame(
 ) -> tuple[int, int]:
     """Return the first and the last instant that strips show."""
 
-    def known(name: str) -> list[int]:
+    def instants(name: str) -> list[int]:
         return [row[name] for row in signals if row[name] is not None]
 
     seen = [course for course in courses if len(course["first"])]
-    begins = known("learnt_from") + [int(course["first"][0]) for course in seen]
-    ends = known("data_tick") + [int(course["last"][-1]) for course in seen]
-    last = max(ends or known("calibration_end"), default=0)
+    begins = instants("learnt_from") + [int(course["first"][0]) for course in seen]
+    ends = instants("data_tick") + [int(course["last"][-1]) for course in seen]
+    last = max(ends or instants("calibration_end"), default=0)
     first = min(begins, default=last - 1)
     if wishes.since is not None:
         first = max(first, last - length(wishes.since, kind, "since"))

@@ -46,11 +46,11 @@ class Reads(Protocol):
 
 def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Row]:
     """Return the signals in detail: those named, then the most urgent, spread over machines."""
-    known = {f"{row['asset']}/{row['channel']}": row for row in signals}
+    by_name = {f"{row['asset']}/{row['channel']}": row for row in signals}
     for name in named:
-        if name not in known:
-            raise wrong("no_such_signal", name=name, hint=nearest(name, known))
-    first = [known[name] for name in dict.fromkeys(named)]
+        if name not in by_name:
+            raise wrong("no_such_signal", name=name, hint=nearest(name, by_name))
+    first = [by_name[name] for name in dict.fromkeys(named)]
     there = {row["place"] for row in first}
     rest = [row for row in signals if row["place"] not in there]
     machines = {row["asset"] for row in signals}
@@ -90,8 +90,8 @@ def read(
     narrowed = source
     if source.asset is not None:
         names = sorted({row["asset"] for row in signals})
-        asked = template.column(source.asset).isin(*(template.text(name) for name in names))
-        narrowed = under(source, asked)
+        condition = template.column(source.asset).isin(*(template.text(name) for name in names))
+        narrowed = under(source, condition)
     study = Study(session, narrowed, Parameters.paper(), Calibration(), strict=False)
     try:
         study.load("wanted", pa.Table.from_pylist(wanted))
@@ -127,18 +127,18 @@ def _envelopes(rows: pa.Table, wanted: Sequence[Row], lengths: Sequence[float]) 
     number, stretch, low, high = (
         rows[name].to_numpy() for name in ("number", "stretch", "lowest", "highest")
     )
-    found = {}
-    for one, length in zip(wanted, lengths, strict=True):
-        mine = (number == one["number"]) & (stretch >= 0) & (stretch < STRETCHES)
+    envelopes = {}
+    for row, length in zip(wanted, lengths, strict=True):
+        mine = (number == row["number"]) & (stretch >= 0) & (stretch < STRETCHES)
         lowest, highest = np.full(STRETCHES, np.nan), np.full(STRETCHES, np.nan)
         lowest[stretch[mine]], highest[stretch[mine]] = low[mine], high[mine]
-        found[one["number"]] = {
-            "first": tick(one["first_tick"]),
+        envelopes[row["number"]] = {
+            "first": tick(row["first_tick"]),
             "length": length,
             "low": packed(lowest, "f4"),
             "high": packed(highest, "f4"),
         }
-    return found
+    return envelopes
 
 
 def _pieces(rows: pa.Table, many: int) -> dict[int, Row]:
@@ -149,11 +149,11 @@ def _pieces(rows: pa.Table, many: int) -> dict[int, Row]:
     program = None
     if "program" in rows.column_names:
         program = np.array(rows["program"].to_pylist(), dtype=object)
-    found: dict[int, Row] = {one: {} for one in range(many)}
-    for one, name in itertools.product(found, ("healthy", "onset")):
-        mine = (number == one) & (piece == name)
-        found[one][name] = (time[mine], value[mine], None if program is None else program[mine])
-    return found
+    pieces: dict[int, Row] = {index: {} for index in range(many)}
+    for index, name in itertools.product(pieces, ("healthy", "onset")):
+        mine = (number == index) & (piece == name)
+        pieces[index][name] = (time[mine], value[mine], None if program is None else program[mine])
+    return pieces
 
 
 def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str, str], Row]:
@@ -162,11 +162,11 @@ def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str
         return {}
     names = {of: sorted({row[of] for row in signals}) for of in ("asset", "channel")}
     chosen = exp.and_(
-        *(exp.column(of).isin(*(template.text(name) for name in said)) for of, said in names.items())
+        *(exp.column(of).isin(*(template.text(name) for name in listed)) for of, listed in names.items())
     )
     rows = state.fetch("report/growth", {"monitor": template.text(monitor), "chosen": chosen})
     places, nowhere = by_channel(rows), slice(0, 0)
-    found = {}
+    by_signal = {}
     for row in signals:
         name = (row["asset"], row["channel"])
         mine = places.get(name, nowhere)
@@ -174,12 +174,12 @@ def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str
         if len(steps) > GROWN:  # a picture has room for no more
             steps = steps[np.unique(np.linspace(0, len(steps) - 1, GROWN).round().astype(np.int64))]
         of = rows.take(pa.array(steps))
-        found[name] = {
+        by_signal[name] = {
             "time": ticks(of["last_tick"].to_numpy()),
             "healthy": counts(of["healthy"].to_numpy()),
             "new": counts(of["novel"].to_numpy()),
         }
-    return found
+    return by_signal
 
 
 def cells(state: Reads, signals: Sequence[Row], raw: bool) -> dict[int, Row]:
@@ -196,25 +196,25 @@ def cells(state: Reads, signals: Sequence[Row], raw: bool) -> dict[int, Row]:
     wanted: dict[str, template.Slot] = {"chosen": chosen["version_id"]}
     rows = state.fetch("report/cells", {**wanted, "most": CELLS, "axes": AXES})
     near = state.rows("report/nearest", {**wanted, "most": TOP})
-    away = {(one["version_id"], one["visit_rank"]): one["away"] for one in near}
+    away = {(cell["version_id"], cell["visit_rank"]): cell["away"] for cell in near}
     ladder: dict[int, list[tuple[int, float]]] = {}
-    for one in state.rows("report/ladder", {"chosen": chosen["support_id"]}):
-        ladder.setdefault(one["support_id"], []).append((one["bins"], one["floor"]))
+    for step in state.rows("report/ladder", {"chosen": chosen["support_id"]}):
+        ladder.setdefault(step["support_id"], []).append((step["bins"], step["floor"]))
     version, kind = rows["version_id"].to_numpy(), np.array(rows["kind"].to_pylist(), dtype=object)
-    found: dict[int, Row] = {}
+    by_version: dict[int, Row] = {}
     for row in signals:
         key = row["version_id"]
-        told = found[key] = {"ladder": ladder.get(row["support_id"], [])}
+        version_cells = by_version[key] = {"ladder": ladder.get(row["support_id"], [])}
         for name, of in (("healthy", "healthy"), ("new", "novel")):
             mine = rows.filter(pa.array((version == key) & (kind == of)))
-            told[name] = _cells(mine, min(AXES, row["m"]))
+            version_cells[name] = _cells(mine, min(AXES, row["m"]))
         top = mine.slice(0, TOP * min(AXES, row["m"])).to_pylist()
         axes = [
-            [one["place"], one["code"], *(short(one[end]) if raw else None for end in _ENDS)]
-            for one in top
+            [axis["place"], axis["code"], *(short(axis[end]) if raw else None for end in _ENDS)]
+            for axis in top
         ]
-        told["new"]["total"] = top[0]["total"] if top else 0
-        told["new"]["top"] = [
+        version_cells["new"]["total"] = top[0]["total"] if top else 0
+        version_cells["new"]["top"] = [
             [
                 axes[at : at + min(AXES, row["m"])],
                 top[at]["visits"],
@@ -224,7 +224,7 @@ def cells(state: Reads, signals: Sequence[Row], raw: bool) -> dict[int, Row]:
             ]
             for at in range(0, len(top), min(AXES, row["m"]))
         ]
-    return found
+    return by_version
 
 
 def _cells(rows: pa.Table, axes: int) -> Row:
@@ -244,7 +244,7 @@ def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> 
     """
     learnt = {"support_id": row["support_id"], "channel_id": row["channel_id"]}
     blocks = state.rows("report/blocks", learnt)
-    told: Row = {
+    figures: Row = {
         "time": ticks(course["last"]),
         "first": ticks(course["first"]),
         "hi": packed(course["hi"], "f8"),
@@ -252,11 +252,11 @@ def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> 
         "outside": counts(course["outside"]),
         "learntFrom": tick(row["learnt_from"]),
         "learntTo": tick(row["calibration_end"]),
-        "blocks": [[one["block"], one["vectors"], one["novel"]] for one in blocks],
+        "blocks": [[block["block"], block["vectors"], block["novel"]] for block in blocks],
     }
     if raw is None:
-        return told
-    told["envelope"], pieces = raw
+        return figures
+    figures["envelope"], pieces = raw
     keys = state.fetch("report/healthy_keys", {"support_id": row["support_id"]})["cell_key"].to_numpy()
     numbers = _program_numbers(state, row)
     for name, piece in (("calm", "healthy"), ("onset", "onset")):
@@ -265,8 +265,8 @@ def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> 
         if numbers is not None and program is not None:
             ran = np.array([numbers.get(of, -1) for of in program], np.int64)
         is_new = packed(are_new(time, value, row, keys, ran), "u1")
-        told[name] = {"time": ticks(time), "value": packed(value, "f8"), "new": is_new}
-    return told
+        figures[name] = {"time": ticks(time), "value": packed(value, "f8"), "new": is_new}
+    return figures
 
 
 def _program_numbers(state: Reads, row: Row) -> dict[str | None, int] | None:
@@ -293,7 +293,7 @@ def summary(row: Mapping[str, Any], raw: bool) -> Row:
 
 #: What the list calls the columns of a signal.
 _LISTED = {
-    one: one for one in ("verdict", "status", "hi", "floor", "cells", "m", "tau", "bins", "stride")
+    name: name for name in ("verdict", "status", "hi", "floor", "cells", "m", "tau", "bins", "stride")
 }
 _LISTED |= {"name": "channel", "isAbove": "is_above", "atLeast": "at_least", "by": "judged_by"}
 _LISTED |= {"episode": "episode_id", "limit": "hi_limit", "vectors": "calibration_vectors"}

@@ -99,12 +99,12 @@ def strip(
         paused = taken > 3 * max(float(np.median(taken)), 1.0)
         left, right = np.r_[left, right[paused]], np.r_[np.where(paused, left, right), right[paused]]
         hi = np.r_[hi, hi[paused]]
-        known = np.isfinite(hi)
+        finite = np.isfinite(hi)
         lengths = right - left + 1
         which = np.repeat(np.arange(len(left)), lengths)
         place = np.arange(lengths.sum()) - np.repeat(np.cumsum(lengths) - lengths, lengths) + left[which]
         covered[place] = True
-        bytes_of = np.where(known, coded(np.where(known, hi, 0), limit), 0)
+        bytes_of = np.where(finite, coded(np.where(finite, hi, 0), limit), 0)
         np.maximum.at(value, place, bytes_of[which].astype(np.uint8))
         row[value > 0] = value[value > 0]
         inside = slice(left.min(), right.max() + 1)

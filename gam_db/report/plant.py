@@ -36,10 +36,10 @@ def telemetry() -> pa.Table:
     for machine, happens in _PLANT["machines"].items():
         for channel in _PLANT["signals"]:
             what, day = happens.get(channel, happens.get("*", ("calm", 0.0)))
-            value, kept = _signal(f"{machine}/{channel}", channel, what, day, count)
-            names = [pa.repeat(name, int(kept.sum())) for name in (machine, channel)]
-            times = pa.array(time[kept], pa.timestamp("us", "UTC"))
-            columns = [*names, times, pa.array(value[kept])]
+            value, mask = _signal(f"{machine}/{channel}", channel, what, day, count)
+            names = [pa.repeat(name, int(mask.sum())) for name in (machine, channel)]
+            times = pa.array(time[mask], pa.timestamp("us", "UTC"))
+            columns = [*names, times, pa.array(value[mask])]
             parts.append(pa.table(columns, names=["asset", "channel", "time", "value"]))
     return pa.concat_tables(parts)
 
@@ -75,5 +75,5 @@ def _signal(
     value = level + scale * (0.8 * shape + noise + 0.05 * np.sin(2 * np.pi * days))
     if what == "stands":
         value = np.where(days < 12, level, value)
-    kept = {"silent": ~begun, "late": begun, "weekends": np.floor(days).astype(int) % 7 < 5}
-    return np.round(value, 3), kept.get(what, np.ones(count, bool))
+    masks = {"silent": ~begun, "late": begun, "weekends": np.floor(days).astype(int) % 7 < 5}
+    return np.round(value, 3), masks.get(what, np.ones(count, bool))

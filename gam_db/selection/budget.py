@@ -15,7 +15,7 @@ from gam_db.method.certificate import add_judgement
 from gam_db.selection.search import Search
 from gam_db.settings.parameters import LARGEST_KEY, Override, Parameters
 
-_OWN = 1
+_BESIDE = 1
 """The set whose certificate is this one; number 0 is that of the study."""
 
 #: What the certificate must know of a learner.
@@ -35,17 +35,17 @@ def add_budget(steps: Pipeline, method: Method, search: Search) -> None:
     steps.small |= sets.small() | {"learners", "budget", "joint"}
     add_stacked(steps, "selection/learners", [{"m": m, "window": general.window} for m in fitting])
     taught = [{"m": m, "cell_key": _cell_key(general, m)} for m in fitting]
-    add_stacked(steps, "selection/teachable", taught, sets.named("learnable", _OWN))
+    add_stacked(steps, "selection/teachable", taught, sets.named("learnable", _BESIDE))
     steps.add(
-        sets.named("bounds", _OWN),
+        sets.named("bounds", _BESIDE),
         exp.select(*_BOUNDS).from_(exp.to_table("learners")),
         "Bounds, as far as the certificate needs them: which support a learner fills.",
     )
-    own_set = OfSet(steps, sets, _OWN)
-    add_judgement(own_set, by_halves=True)
-    own_set.add("certificate/verdicts")
-    own = {name: own_set.named(name) for name in ("verdicts", "ladder")}
-    add(steps, "selection/budget", tables=own)
+    beside_set = OfSet(steps, sets, _BESIDE)
+    add_judgement(beside_set, by_halves=True)
+    beside_set.add("certificate/verdicts")
+    tables = {name: beside_set.named(name) for name in ("verdicts", "ladder")}
+    add(steps, "selection/budget", tables=tables)
     add(steps, "selection/joint", {"m": min(general.m, fitting[-1])})
 
 

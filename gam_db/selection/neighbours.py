@@ -28,7 +28,7 @@ _FILLED = 2
 quick round more; in boxes too large, where samples lie close together, all are compared with all."""
 _COARSE = 5
 """From so many halvings on boxes grow step by step: the larger they are, the dearer one too large."""
-ONE_BOX = 500
+BOX_CAPACITY = 500
 """With so few samples at most, one round over all of them is cheaper than several."""
 _NUMBERED = 60
 """Bits for the number of a box: one word, with room for the boxes beside the range."""
@@ -55,20 +55,22 @@ def add_embedding(steps: Pipeline, search: Search, bins: int) -> None:
         name = "embedded" if k == last else f"unfolded_{k}"
         new = ["u", "c"] if k < search.m_max else ["u"]
         slots: dict[str, template.Slot] = {
-            "coordinates": [exp.column(one) for one in held],
-            "carried": [exp.alias_(exp.column(one, table="held"), one) for one in held],
+            "coordinates": [exp.column(column) for column in held],
+            "carried": [exp.alias_(exp.column(column, table="held"), column) for column in held],
             "ahead": [
                 exp.alias_(
-                    template.fill("selection/ahead", {"later": exp.column(f"{one}_0", table="later")}),
-                    f"{one}_{k}",
+                    template.fill(
+                        "selection/ahead", {"later": exp.column(f"{column}_0", table="later")}
+                    ),
+                    f"{column}_{k}",
                 )
-                for one in new
+                for column in new
             ],
             "k": k,
         }
         add(steps, "selection/unfolded", slots, name, {"origins": previous, "points": "origins"})
         previous = name
-        held += [f"{one}_{k}" for one in new]
+        held += [f"{column}_{k}" for column in new]
     steps.small |= {"embedded"}
 
 
@@ -83,7 +85,7 @@ def add_dimensions(steps: Pipeline, search: Search, usable: int, waiting: Waitin
     halvings = _BITS
     for d in range(1, search.m_max + 2):
         _add_probes(steps, search, d)
-        found, halvings = _add_search(steps, d, usable, halvings, waiting)
+        neighbours, halvings = _add_search(steps, d, usable, halvings, waiting)
         for metric in ("square", "largest"):
             if metric == "square" and d > search.m_max:
                 continue  # E1 of the last dimension needs E of the next, and no more
@@ -94,7 +96,7 @@ def add_dimensions(steps: Pipeline, search: Search, usable: int, waiting: Waitin
                 "distance": exp.column(metric, table="pair"),
                 "neighbour": exp.column(f"{metric}_place", table="pair"),
             }
-            tables = {"found": found, "probes": f"probes_{d}"}
+            tables = {"found": neighbours, "probes": f"probes_{d}"}
             add(steps, "selection/followed", slots, followed, tables)
             steps.small |= {followed}
             if metric == "square":
@@ -147,7 +149,7 @@ def _add_search(steps: Pipeline, d: int, usable: int, finest: int, waiting: Wait
     sought = f"unsettled_{d}"
     add(steps, "selection/unsettled", name=sought, tables={"probes": f"probes_{d}"})
     halvings = 0
-    if usable > ONE_BOX:  # a vector to a box, were they spread evenly
+    if usable > BOX_CAPACITY:  # a vector to a box, were they spread evenly
         spread = math.floor(math.log2(3 * usable ** (1 / min(d, _FILLED))))
         halvings = min(spread, _BITS, finest, bits - 1)
     of_use, everybody = None, 0
@@ -200,15 +202,15 @@ def _add_round(
         "square": template.added([exp.Mul(this=away, expression=away.copy()) for away in aways]),
         "largest": _largest(d),
     }
-    given = {
+    shared = {
         "probes": f"probes_{d}",
         "patterns": f"patterns_{d}",
         "shifts": _shifts(steps, len(boxed) if halvings else 0, bits),
     }
 
-    def measure(name: str, asked: str, settled: int) -> None:
-        said = {**slots, "settled": settled}
-        add(steps, "selection/measured", said, name, {**given, "asked": asked})
+    def measure(name: str, probed: str, settled: int) -> None:
+        measured_slots = {**slots, "settled": settled}
+        add(steps, "selection/measured", measured_slots, name, {**shared, "asked": probed})
 
     measure(f"measured_{size}", sought, settled=0)
     tables = {"unsettled": sought, "measured": f"measured_{size}"}

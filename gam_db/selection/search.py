@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from gam_db.arguments import public
 from gam_db.errors import ParameterError
-from gam_db.settings.setting import COUNT, check, declared, one_of, setting
+from gam_db.settings.setting import COUNT, check, choice_of, declared, setting
 
 #: The rules for tau, in the order in which they are tried.
 TAU_RULES = ("first_minimum", "acf_1e", "acf_zero")
@@ -29,7 +29,7 @@ class Search:
     """
 
     tau: int | None = setting(None, COUNT, most=LARGEST_LAG)
-    tau_by: str = setting(TAU_RULES[0], one_of(*TAU_RULES))
+    tau_by: str = setting(TAU_RULES[0], choice_of(*TAU_RULES))
     tau_max: int = setting(100, COUNT, most=LARGEST_LAG)
     m_max: int = setting(6, COUNT, least=2, most=LARGEST_DIMENSION)
     theiler: int | None = setting(None, COUNT, least=0, most=2**31)

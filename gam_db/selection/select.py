@@ -88,8 +88,8 @@ def selected(study: Study, search: Search) -> Selection:
     steps = study.steps
     add_samples(steps, search, study.method.gaps[0])
     extents = study.rows("extents")
-    usable = max((one["usable"] for one in extents), default=0)
-    add_delays(steps, search, max((one["samples"] for one in extents), default=0))
+    usable = max((extent["usable"] for extent in extents), default=0)
+    add_delays(steps, search, max((extent["samples"] for extent in extents), default=0))
     add_embedding(steps, search, study.method.settings[0].grid)
 
     def waiting(step: str) -> tuple[int, int]:
@@ -146,11 +146,11 @@ def select(
     @contextlib.contextmanager
     def studies() -> Iterator[Studied]:
         with borrowed(engine) as session:
-            yield lambda given: Study(session, given, *method)
+            yield lambda relation: Study(session, relation, *method)
 
     with borrowed(engine) as session:
-        found = sourced(source, session)
-    return selected_by_all(studies, found, options)
+        resolved = sourced(source, session)
+    return selected_by_all(studies, resolved, options)
 
 
 def selected_by_all(studies: Studies, source: AnySource, search: Search) -> Selection:
@@ -171,18 +171,18 @@ def selected_by_all(studies: Studies, source: AnySource, search: Search) -> Sele
         except StatementError:
             if len(channels) < 2:
                 raise
-    found, failures = [], []
-    for one in channels:
+    selections, failures = [], []
+    for channel in channels:
         try:
             with studies() as studied:
-                found.append(selected(studied(_only(source, **one)), search))
+                selections.append(selected(studied(_only(source, **channel)), search))
         except StatementError as error:
-            failures.append(one | {"reason": str(error)})
+            failures.append(channel | {"reason": str(error)})
             last = error
-    if not found:
+    if not selections:
         raise last
     tables = {
-        field.name: pa.concat_tables(getattr(part, field.name) for part in found)
+        field.name: pa.concat_tables(getattr(part, field.name) for part in selections)
         for field in dataclasses.fields(Selection)
     }
     return Selection(**tables | {"failures": pa.Table.from_pylist(failures, FAILURES)})

@@ -111,11 +111,11 @@ class Calibration:
 
     def __post_init__(self) -> None:
         check(self, CalibrationError)
-        given = [name for name in WAYS if getattr(self, name) is not None]
-        if not given:
+        ways = [name for name in WAYS if getattr(self, name) is not None]
+        if not ways:
             object.__setattr__(self, "fraction", 0.2)
-        elif len(given) > 1:
-            raise wrong("several_ways", names=", ".join(WAYS), given=" and ".join(given))
+        elif len(ways) > 1:
+            raise wrong("several_ways", names=", ".join(WAYS), given=" and ".join(ways))
         if not isinstance(self.overrides, Mapping):
             raise wrong("calibration_overrides", kind=type(self.overrides).__name__)
         for pattern, rule in self.overrides.items():
@@ -155,13 +155,13 @@ class Calibration:
         for pattern, rule in named:
             cases.setdefault(pattern, rule)
         for group in self.pools:
-            is_named = any(patterns_meet(one, other) for one in self.teachers for other in group)
+            is_named = any(patterns_meet(teacher, other) for teacher in self.teachers for other in group)
             for pattern in group:
                 cases.setdefault(pattern, None if is_named else self)
-        found = list(cases.items())
-        while found and found[-1][1] is self:
-            found.pop()
-        return tuple(found)
+        ordered = list(cases.items())
+        while ordered and ordered[-1][1] is self:
+            ordered.pop()
+        return tuple(ordered)
 
 
 #: The ways to say where calibration lies, one of which is taken.
@@ -189,14 +189,14 @@ def resolve(calibration: Calibration, kind: TimeKind) -> list[Rule]:
     """
     try:
         return [
-            _resolve_one(calibration, kind),
-            *(Rule() if rule is None else _resolve_one(rule, kind) for _, rule in calibration.cases),
+            _resolve_rule(calibration, kind),
+            *(Rule() if rule is None else _resolve_rule(rule, kind) for _, rule in calibration.cases),
         ]
     except ParameterError as error:
         raise CalibrationError(error.options) from error
 
 
-def _resolve_one(calibration: Calibration, kind: TimeKind) -> Rule:
+def _resolve_rule(calibration: Calibration, kind: TimeKind) -> Rule:
     declared = closed("intervals", calibration.intervals or (), kind)
     within = [(LONG_AGO, FAR_AHEAD)] if calibration.intervals is None else merge(declared)
     share, lasting, begins = calibration.fraction, calibration.duration, calibration.score_from
@@ -209,13 +209,13 @@ def _resolve_one(calibration: Calibration, kind: TimeKind) -> Rule:
     )
 
 
-def patterns_meet(one: str, other: str) -> bool:
+def patterns_meet(pattern: str, other: str) -> bool:
     """Tell whether there is a name that both patterns match."""
     waiting = [(0, 0)]
     reached = set(waiting)
     while waiting:
         here, there = waiting.pop()
-        first, second = one[here : here + 1], other[there : there + 1]
+        first, second = pattern[here : here + 1], other[there : there + 1]
         if not first and not second:
             return True
         further: set[tuple[int, int]] = set()

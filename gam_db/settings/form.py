@@ -18,8 +18,8 @@ from gam_db.settings.setting import (
     TEXT,
     Kind,
     Setting,
+    choice_of,
     declared,
-    one_of,
     setting,
     settings_of,
     texts,
@@ -58,8 +58,8 @@ def _encoding(_: Setting | None, name: str, value: Any) -> str:
     return str(value)
 
 
-_ENCODING = Kind(_encoding, read=lambda option, given: _encoding(None, option, given))
-_WORDS = Kind(_words, option=list[str], read=lambda _, given: tuple(given))
+_ENCODING = Kind(_encoding, read=lambda option, text: _encoding(None, option, text))
+_WORDS = Kind(_words, option=list[str], read=lambda _, words: tuple(words))
 
 
 def _zone(_: Setting, name: str, value: Any) -> str:
@@ -81,15 +81,15 @@ _OF_ROWS = ("source_time_zone", "valid_when", "program")
 class Form:
     """How numbers and times are written in a source, which readings count, and of what program."""
 
-    decimal: str | None = setting(None, one_of(",", "."))
-    thousands: str | None = setting(None, one_of(".", ",", " ", "'"))
+    decimal: str | None = setting(None, choice_of(",", "."))
+    thousands: str | None = setting(None, choice_of(".", ",", " ", "'"))
     unit: str | None = setting(None, TEXT)
     null: Sequence[str] | None = setting(None, _WORDS)
     delimiter: str | None = setting(None, TEXT)
     skip_rows: int | None = setting(None, COUNT)
     encoding: str | None = setting(None, _ENCODING)
     time_format: str | None = setting(None, TEXT)
-    time_unit: str | None = setting(None, one_of(*SINCE_1970))
+    time_unit: str | None = setting(None, choice_of(*SINCE_1970))
     source_time_zone: str | None = setting(None, _ZONE)
     valid_when: str | None = setting(None, TEXT)
     program: str | None = setting(None, TEXT)
@@ -97,8 +97,8 @@ class Form:
     @property
     def written(self) -> dict[str, Any]:
         """What was said of how things are written, by name."""
-        said = {name: getattr(self, name) for name in settings_of(Form)}
-        return {name: value for name, value in said.items() if value}
+        settings = {name: getattr(self, name) for name in settings_of(Form)}
+        return {name: value for name, value in settings.items() if value}
 
     @property
     def of_words(self) -> tuple[str, ...]:
@@ -134,19 +134,19 @@ def options_for_numbers(words: Iterable[str]) -> str:
     marks: set[tuple[str, str]] = set()
     units, nulls = dict[str, None](), dict[str, None]()
     for word in words:
-        found = _NUMBER.fullmatch(word)
-        if found is None:
+        match = _NUMBER.fullmatch(word)
+        if match is None:
             nulls[word] = None
             continue
-        marks |= _marks(found[1].strip(SPACES))
-        if found[2]:
-            units[found[2]] = None
-    said = dict(sorted(marks, reverse=True))
-    if said.get("thousands") == said.get("decimal"):
-        said.pop("thousands", None)
+        marks |= _marks(match[1].strip(SPACES))
+        if match[2]:
+            units[match[2]] = None
+    options = dict(sorted(marks, reverse=True))
+    if options.get("thousands") == options.get("decimal"):
+        options.pop("thousands", None)
     if units:
-        said["unit"] = next(iter(units))
-    pairs = [*said.items(), *(("null", word) for word in itertools.islice(nulls, 8))]
+        options["unit"] = next(iter(units))
+    pairs = [*options.items(), *(("null", word) for word in itertools.islice(nulls, 8))]
     return " ".join(f"--{name} {shlex.quote(value)}" for name, value in pairs)
 
 

@@ -75,19 +75,21 @@ def ranged_readings(
         hours = (exp.and_(*within(*ends), copy=False) for ends in repeated)
         among = exp.paren(exp.or_(*hours, copy=False), copy=False)
         passes = [piece for piece in pieces if piece.is_twice]
-        first, second = (by_time(time, passes, one) for one in (lambda p: p.shift, lambda p: p.second))
+        first, second = (
+            by_time(time, passes, shift_of) for shift_of in (lambda p: p.shift, lambda p: p.second)
+        )
         ordered: list[exp.Expr] = []
         if source.program is not None:
             ordered = [template.fill("program/untold"), exp.column("program")]
-        told: dict[str, template.Slot] = {"shift": first, "second": second, "ordered": ordered}
-        branches.append(shown("source/shown_twice", [*near, among], **told))
-    made = stacked(branches)
+        shifts: dict[str, template.Slot] = {"shift": first, "second": second, "ordered": ordered}
+        branches.append(shown("source/shown_twice", [*near, among], **shifts))
+    query = stacked(branches)
     is_whole = (earliest, latest) == (LONG_AGO, FAR_AHEAD)
     if is_whole and until is None:
-        return made
-    columns = [exp.column(name) for name in made.named_selects]
+        return query
+    columns = [exp.column(name) for name in query.named_selects]
     ends = template.node_of(earliest), template.node_of(latest)
-    zoned = exp.select(*columns).from_(made.subquery("zoned", copy=False))
+    zoned = exp.select(*columns).from_(query.subquery("zoned", copy=False))
     return up_to(zoned if is_whole else zoned.where(time.between(*ends), copy=False), "time", until)
 
 
@@ -99,7 +101,7 @@ def undated(source: AnySource, relation: exp.Expr, micros_of: TimeNode) -> exp.Q
         shift = by_time(
             exp.column("clock_time", table="told"),
             pieces,
-            lambda one: TWICE if one.is_twice else one.shift,
+            lambda piece: TWICE if piece.is_twice else piece.shift,
         )
     slots: dict[str, template.Slot] = {
         "stored": template.column(source.time),

@@ -80,14 +80,14 @@ class LocalTime:
         """The pieces of all local time, in order; the first one reaches back to the first time."""
         shown = [(begin + shift, end + shift, shift) for begin, end, shift in self._edged()]
         starts = {first for first, _, _ in shown} | {last + 1 for _, last, _ in shown[:-1]}
-        found: list[Piece] = []
+        pieces: list[Piece] = []
         for start in sorted(starts):
             there = [shift for first, last, shift in shown if first <= start <= last]
             shifts: Sequence[Shift] = there or (None,)
             piece = Piece(start, shifts[0], shifts[-1])
-            if not found or (found[-1].shift, found[-1].second) != (piece.shift, piece.second):
-                found.append(piece)
-        return found
+            if not pieces or (pieces[-1].shift, pieces[-1].second) != (piece.shift, piece.second):
+                pieces.append(piece)
+        return pieces
 
     def pieces(self, earliest: int = LONG_AGO, latest: int = FAR_AHEAD) -> list[Piece]:
         """Return the pieces that hold the local times from one to another, both included."""
@@ -148,12 +148,12 @@ def local_time(name: str) -> LocalTime:
     return LocalTime(name, tuple(spans))
 
 
-def by_time(time: exp.Expr, pieces: Sequence[Piece], told: Callable[[Piece], Shift]) -> exp.Expr:
+def by_time(time: exp.Expr, pieces: Sequence[Piece], shift_of: Callable[[Piece], Shift]) -> exp.Expr:
     """Return what is told of the piece that a local time lies in, as a number in 64 bits."""
     steps: list[tuple[int, Shift]] = []
     for piece in pieces:
-        if not steps or steps[-1][1] != told(piece):
-            steps.append((piece.start, told(piece)))
+        if not steps or steps[-1][1] != shift_of(piece):
+            steps.append((piece.start, shift_of(piece)))
     return exp.cast(
         _chosen(time, [(start, template.node_of(value)) for start, value in steps]), "BIGINT"
     )
@@ -172,5 +172,7 @@ def _chosen(time: exp.Expr, steps: Sequence[tuple[int, exp.Expr]]) -> exp.Expr:
     before: Iterable[exp.Expr] = (
         exp.LT(this=time.copy(), expression=template.node_of(start)) for start in starts
     )
-    ifs = [exp.If(this=one, true=value) for one, value in zip(before, values[:-1], strict=True)]
+    ifs = [
+        exp.If(this=condition, true=value) for condition, value in zip(before, values[:-1], strict=True)
+    ]
     return exp.Case(ifs=ifs, default=values[-1])

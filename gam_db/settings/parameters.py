@@ -22,9 +22,9 @@ from gam_db.settings.setting import (
     Kind,
     Setting,
     check,
+    choice_of,
     declared,
     number,
-    one_of,
     setting,
     settings_of,
 )
@@ -67,10 +67,10 @@ class Override:
     changed: tuple[tuple[str, Any], ...]
 
     def __init__(self, asset: str = "*", channel: str = "*", **changes: Any) -> None:
-        known = settings_of(Parameters)
+        settings = settings_of(Parameters)
         for name in changes:
-            if name not in known:
-                raise ParameterError(f"There is no parameter {name!r}{nearest(name, known)}")
+            if name not in settings:
+                raise ParameterError(f"There is no parameter {name!r}{nearest(name, settings)}")
         object.__setattr__(self, "asset", asset)
         object.__setattr__(self, "channel", channel)
         object.__setattr__(self, "changed", tuple(sorted(changes.items())))
@@ -147,7 +147,7 @@ class Parameters:
     stride: int | None = setting(None, COUNT)
     max_gap: Length | None = setting(None, dataclasses.replace(LENGTH, checked=_positive))
     still_after: int | None = setting(None, COUNT, least=2)
-    range: str = setting(ROBUST, one_of(*RANGES))
+    range: str = setting(ROBUST, choice_of(*RANGES))
     target_floor: float = setting(0.05, SHARE)
     least_vectors: int = setting(LEAST_VECTORS, COUNT)
     overrides: Sequence[Override] = ()
@@ -159,7 +159,7 @@ class Parameters:
 
     def __post_init__(self) -> None:
         check(self)
-        tau, window = (1 if one == AUTO else one for one in (self.tau, self.window))
+        tau, window = (1 if count == AUTO else count for count in (self.tau, self.window))
         if (self.m - 1) * tau >= 2**31 or window >= 2**31:
             raise ParameterError("(m - 1) * tau and window must stay below 2^31 samples.")
         if self.m > 63 or self.radix**self.m > LARGEST_KEY:
@@ -191,7 +191,7 @@ class Parameters:
         if self.bins != AUTO:
             bins: int = self.bins
             return bins
-        return next((one for one in RUNGS if (one + 3) ** min(self.m, 64) <= LARGEST_KEY), RUNGS[-1])
+        return next((rung for rung in RUNGS if (rung + 3) ** min(self.m, 64) <= LARGEST_KEY), RUNGS[-1])
 
     @property
     def is_open(self) -> bool:
@@ -237,21 +237,21 @@ class Parameters:
 
     def of(self, asset: str, channel: str) -> "Parameters":
         """Return the parameters of one channel."""
-        for one in self.overrides:
-            if one.names(asset, channel):
-                return self.changed_by(one)
+        for override in self.overrides:
+            if override.names(asset, channel):
+                return self.changed_by(override)
         return dataclasses.replace(self, overrides=())
 
     def finest(self, window: int | None = None) -> "Parameters":
         """Return the same with numbers where settings are open: the finest grids, tau 1, some window."""
         usual = {} if window is None else {"window": window}
         general, *others = (
-            one.closed(**(usual if one.window == AUTO and one.stride is None else {}))
-            for one in self.variants()
+            variant.closed(**(usual if variant.window == AUTO and variant.stride is None else {}))
+            for variant in self.variants()
         )
         overrides = [
-            Override(one.asset, one.channel, **{**one.changes(), **of.numbers()})
-            for one, of in zip(self.overrides, others, strict=True)
+            Override(override.asset, override.channel, **{**override.changes(), **of.numbers()})
+            for override, of in zip(self.overrides, others, strict=True)
         ]
         return dataclasses.replace(general, overrides=overrides)
 

@@ -12,10 +12,10 @@ from gam_db.settings.parameters import pattern_matches
 
 Name = tuple[str, str]
 """Asset and channel, or patterns of both."""
-_Said = TypeVar("_Said", bound=Hashable)
+_Setting = TypeVar("_Setting", bound=Hashable)
 
 
-def grouped(said: Mapping[Name, _Said]) -> list[tuple[Name, _Said]]:
+def grouped(settings: Mapping[Name, _Setting]) -> list[tuple[Name, _Setting]]:
     """Return patterns of asset and channel with what each says, the first that matches being the one.
 
     What most channels have in common comes last; before it stand the assets, or the channels of one
@@ -24,44 +24,47 @@ def grouped(said: Mapping[Name, _Said]) -> list[tuple[Name, _Said]]:
     Raises:
         ParameterError: names that hold ``*`` or ``?`` cannot be told apart by patterns.
     """
-    if not said:
+    if not settings:
         return []
-    for rules in (*sorted((_nested(said, place) for place in (1, 0)), key=len), list(said.items())):
+    for rules in (
+        *sorted((_nested(settings, place) for place in (1, 0)), key=len),
+        list(settings.items()),
+    ):
         rules.sort(key=lambda rule: _width(rule[0]))
-        if _is_met(said, rules):
+        if _is_met(settings, rules):
             return rules
     raise wrong("patterns_in_names")
 
 
-def _is_met(said: Mapping[Name, _Said], rules: list[tuple[Name, _Said]]) -> bool:
+def _is_met(settings: Mapping[Name, _Setting], rules: list[tuple[Name, _Setting]]) -> bool:
     """Tell whether rules say what they are to; only a sign of patterns in a name can spoil that."""
-    if not any(sign in part for name in said for part in name for sign in "*?"):
+    if not any(sign in part for name in settings for part in name for sign in "*?"):
         return True
     return all(
         of == next(met for pattern, met in rules if all(map(pattern_matches, pattern, name)))
-        for name, of in said.items()
+        for name, of in settings.items()
     )
 
 
-def _nested(said: Mapping[Name, _Said], place: int) -> list[tuple[Name, _Said]]:
+def _nested(settings: Mapping[Name, _Setting], place: int) -> list[tuple[Name, _Setting]]:
     """Return rules that go by asset (place 0) or by channel (1) first."""
-    overall = _commonest(list(said.values()))
+    overall = _commonest(list(settings.values()))
     groups: dict[str, list[Name]] = {}
-    for name in said:
+    for name in settings:
         groups.setdefault(name[place], []).append(name)
-    rules: list[tuple[Name, _Said]] = [(("*", "*"), overall)]
+    rules: list[tuple[Name, _Setting]] = [(("*", "*"), overall)]
     for key, names in groups.items():
-        common = _commonest([said[name] for name in names])
-        apart = [name for name in names if said[name] != common]
-        others = [name for name in names if said[name] != overall]
+        common = _commonest([settings[name] for name in names])
+        apart = [name for name in names if settings[name] != common]
+        others = [name for name in names if settings[name] != overall]
         if len(apart) + 1 < len(others) or (len(others) == 1 == len(names)):
             rules.append((("*", key) if place else (key, "*"), common))
             others = apart
-        rules += [(name, said[name]) for name in others]
+        rules += [(name, settings[name]) for name in others]
     return rules
 
 
-def _commonest(values: list[_Said]) -> _Said:
+def _commonest(values: list[_Setting]) -> _Setting:
     return Counter(values).most_common(1)[0][0]
 
 

@@ -31,7 +31,7 @@ class Kind:
     checked: Callable[["Setting", str, Any], Any]
     option: Any = str  # type of the option on the command line; bool for one that takes no value
     #: From the option's name and value to the value of the setting.
-    read: Callable[[str, Any], Any] = lambda _, given: given
+    read: Callable[[str, Any], Any] = lambda _, text: text
     metavar: str | None = None  # stands for the value in help
     how: str = ""  # how an option is written, in help; ``{example!r}`` stands for the setting's example
     none: bool = False  # that there is none is said by an option of its own, --no-NAME
@@ -97,25 +97,25 @@ def setting(default: Any, takes: Kind, what: str = "", **more: Any) -> Any:
 @cache
 def settings_of(of: type) -> Mapping[str, Setting]:
     """Return what can be set in a dataclass, by name; what it shares with others comes last."""
-    fields = sorted(dataclasses.fields(of), key=lambda one: one.kw_only is True)
+    fields = sorted(dataclasses.fields(of), key=lambda field: field.kw_only is True)
     words: dict[str, Mapping[str, Any]] = {}
     for owner in reversed(of.__mro__):
         words |= _WORDS.get(owner.__name__, {})
-    said = {one.name: one.metadata[_KEY] for one in fields if _KEY in one.metadata}
-    return {name: _worded(one, **words.get(name, {})) for name, one in said.items()}
+    settings = {field.name: field.metadata[_KEY] for field in fields if _KEY in field.metadata}
+    return {name: _worded(unworded, **words.get(name, {})) for name, unworded in settings.items()}
 
 
-def _worded(one: Setting, off: str | None = None, **words: Any) -> Setting:
+def _worded(unworded: Setting, off: str | None = None, **words: Any) -> Setting:
     """Return a setting with the words of the table."""
     if off is not None:
-        words["off"] = (False if one.takes.none else None, off)
-    return dataclasses.replace(one, **words)
+        words["off"] = (False if unworded.takes.none else None, off)
+    return dataclasses.replace(unworded, **words)
 
 
 def declared(of: type[_Class]) -> type[_Class]:
     """Add to the docstring of a dataclass what its settings say."""
-    said = (f"    {name}: {one.help}" for name, one in settings_of(cast(Any, of)).items())
-    of.__doc__ = "\n    ".join([(of.__doc__ or "").rstrip(), "", "Settings:", *said]) + "\n    "
+    lines = (f"    {name}: {worded.help}" for name, worded in settings_of(cast(Any, of)).items())
+    of.__doc__ = "\n    ".join([(of.__doc__ or "").rstrip(), "", "Settings:", *lines]) + "\n    "
     return of
 
 
@@ -126,8 +126,8 @@ def check(of: Any, refusal: type[UserError] = ParameterError) -> None:
         UserError: one is out of its range; of the type that is given.
     """
     try:
-        for name, one in settings_of(of.__class__).items():
-            object.__setattr__(of, name, one.checked(name, getattr(of, name)))
+        for name, worded in settings_of(of.__class__).items():
+            object.__setattr__(of, name, worded.checked(name, getattr(of, name)))
     except ParameterError as error:
         raise refusal(error.options) from error
 
@@ -144,10 +144,10 @@ def number(text: str) -> int | float | str:
 
 def texts(value: object) -> bool:
     """Tell whether a value is a list of texts."""
-    return isinstance(value, (list, tuple)) and all(isinstance(one, str) for one in value)
+    return isinstance(value, (list, tuple)) and all(isinstance(text, str) for text in value)
 
 
-def one_of(*values: str) -> Kind:
+def choice_of(*values: str) -> Kind:
     """Return the kind of a setting that takes one of some words."""
 
     def checked(_: Setting, name: str, value: Any) -> Any:
@@ -215,7 +215,7 @@ COUNT = Kind(_count, int)
 SHARE = Kind(_share, float)
 LENGTH = Kind(
     _length,
-    read=lambda _, given: number(given),
+    read=lambda _, text: number(text),
     metavar="LENGTH",
     how=": seconds or a text like {example!r}, or steps of a counter",
 )

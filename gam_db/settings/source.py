@@ -70,9 +70,9 @@ class Source(Form):
     @property
     def columns(self) -> dict[str, str]:
         """The columns to be read, by what they say."""
-        said = {"asset": self.asset, "channel": self.channel, "time": self.time, "value": self.value}
-        said["program"] = self.program
-        return {role: column for role, column in said.items() if column is not None}
+        columns = {"asset": self.asset, "channel": self.channel, "time": self.time, "value": self.value}
+        columns["program"] = self.program
+        return {role: column for role, column in columns.items() if column is not None}
 
     @property
     def value_columns(self) -> tuple[str, ...]:
@@ -113,8 +113,8 @@ class WideSource(Form):
     @property
     def columns(self) -> dict[str, str]:
         """The columns to be read, by what they say; channels are numbered."""
-        said = {"asset": self.asset, "time": self.time, "program": self.program}
-        named = {role: column for role, column in said.items() if column is not None}
+        columns = {"asset": self.asset, "time": self.time, "program": self.program}
+        named = {role: column for role, column in columns.items() if column is not None}
         return named | {f"channel {n}": column for n, column in enumerate(self.value_columns, 1)}
 
     @property
@@ -205,8 +205,8 @@ def readings(
     asset = named_by(source.asset, ONLY_ASSET)
     if unpivots and len(source.value_columns) >= UNPIVOTED_FROM:
         time = micros_of(template.column(source.time))
-        said = {"asset": asset, "time": time, "condition": condition, **_program(source)}
-        return up_to(_unpivoted(source, relation, said, validity), "time", until)
+        shared = {"asset": asset, "time": time, "condition": condition, **_program(source)}
+        return up_to(_unpivoted(source, relation, shared, validity), "time", until)
     branches: list[exp.Query] = []
     for value in source.value_columns:
         slots: dict[str, template.Slot] = {
@@ -265,7 +265,7 @@ def named_by(column: str | None, otherwise: str) -> exp.Expr:
 
 
 def _unpivoted(
-    source: AnySource, relation: exp.Expr, said: Mapping[str, template.Slot], validity: bool
+    source: AnySource, relation: exp.Expr, shared: Mapping[str, template.Slot], validity: bool
 ) -> exp.Query:
     """Return the readings of a wide source in one select."""
     columns, named = [], []
@@ -275,7 +275,7 @@ def _unpivoted(
             exp.alias_(exp.cast(_reading(source, template.column(value), validity), "DOUBLE"), column)
         )
         named.append(exp.PivotAlias(this=exp.column(column), alias=template.name(value)))
-    filled = template.fill("source/unpivoted", {**said, "columns": columns, "named": named})
+    filled = template.fill("source/unpivoted", {**shared, "columns": columns, "named": named})
     read_from(relation, filled)
     return filled  # type: ignore[return-value]
 
@@ -335,14 +335,14 @@ def as_folder(path: Any) -> Any:
     return f"{str(path).rstrip('/')}/" if is_folder else path
 
 
-def slashed(path: str | Path, given: str) -> str:
+def slashed(path: str | Path, original: str) -> str:
     """Return what became of a path, with the slash that says that it is a folder's, if it had one."""
-    return f"{path}/" if given.endswith("/") else str(path)
+    return f"{path}/" if original.endswith("/") else str(path)
 
 
 def paths_of(relation: Any) -> list[str]:
     """Return the paths that a relation names."""
-    return [str(one) for one in (relation if isinstance(relation, (list, tuple)) else [relation])]
+    return [str(path) for path in (relation if isinstance(relation, (list, tuple)) else [relation])]
 
 
 def shown_relation(relation: Any) -> str:

@@ -59,14 +59,14 @@ def calibrate(
     alarms: Alarms,
     again: bool = False,
     limit: int | None = None,
-    said: Calibration | None = None,
+    configured: Calibration | None = None,
 ) -> pa.Table:
     """Make a version of every channel that has none with these settings (method, section 4), and limits.
 
     A pool is calibrated as a whole, and a monitor made if it is not there. What is resolved is frozen: a
     later call with the same settings leaves a version as it is, unless it is asked for ``again``. At
     most ``limit`` readings are worked on at once; None for what memory allows. Where more is taken out
-    of the study's calibration than the user ``said``, that is no other setting. Each version without a
+    of the study's calibration than of ``configured``, that is no other setting. Each version without a
     limit gets one, by ``alarms``. All of it is committed together.
 
     Returns:
@@ -92,8 +92,8 @@ def calibrate(
     add(steps, "stored/scoring/recount", tables={"calibration": "repeating_calibration"})
     add(steps, "stored/calibrating/first_count")
     add_judged(steps, "limited", "unscored")
-    said_now = {"long_ago": LONG_AGO, "created": now()}
-    add(steps, "stored/calibrating/version_rows", said_now, tables={"recount": "first_count"})
+    stamps = {"long_ago": LONG_AGO, "created": now()}
+    add(steps, "stored/calibrating/version_rows", stamps, tables={"recount": "first_count"})
     add_learnt_limits(steps, study.method, ())
     for part in ("calibration", "bounds", "block", "ladder", "probe", "support", "buffered", "band"):
         add(steps, f"stored/calibrating/{part}_rows")
@@ -106,16 +106,18 @@ def calibrate(
         for row in state.rows("stored/state/active", {"monitor_id": monitor["monitor_id"]})
     }
     # Keys, and so the numbers of episodes, go by names, whatever order an engine gives rows in.
-    found = sorted(running.rows("channels"), key=name_of)
-    given = study.method if said is None else dataclasses.replace(study.method, calibration=said)
-    for row in found:
-        number = number_of(row["asset"], given.assets)
-        row["hash"] = settings_hash(given, {**row, "calibration_no": number})
-        row["said"] = given.rules[number]
-    due = _due(found, versions, again)
-    made: list[Row] = []
-    names = running.placed["names"]
-    readings = {name_of(row): row["readings"] for row in found}
+    channels = sorted(running.rows("channels"), key=name_of)
+    method = (
+        study.method if configured is None else dataclasses.replace(study.method, calibration=configured)
+    )
+    for row in channels:
+        number = number_of(row["asset"], method.assets)
+        row["hash"] = settings_hash(method, {**row, "calibration_no": number})
+        row["said"] = method.rules[number]
+    due = _due(channels, versions, again)
+    learnt: list[Row] = []
+    names = running.tables["names"]
+    readings = {name_of(row): row["readings"] for row in channels}
     at_once = state.session.rows_at_once()
     groups = list(whole_pools(due, readings, limit or at_once * study.taught_at_once))
     # What calibration says of each channel goes into four tables.
@@ -128,16 +130,16 @@ def calibrate(
         for group in groups:
             study.begin_anew()
             with state.session.lent(table_of(group, _NAMED)) as wanted:
-                asked = filled("stored/calibrating/wanted_names")
-                place(asked, {"names": names, "wanted": wanted})
-                running.placed["names"] = state.session.keep("wanted_names", asked)
-                made += _learn(draft, study, monitor, group, versions)
-                state.session.forget(running.placed["names"])
-            running.placed["names"] = names
+                query = filled("stored/calibrating/wanted_names")
+                place(query, {"names": names, "wanted": wanted})
+                running.tables["names"] = state.session.keep("wanted_names", query)
+                learnt += _learn(draft, study, monitor, group, versions)
+                state.session.forget(running.tables["names"])
+            running.tables["names"] = names
         running.on_step("limits")
-        draft.publish(name, alarms, study.method.asked or study.method.parameters)
-    made.sort(key=name_of)
-    return table_of(made, _RESULT)
+        draft.publish(name, alarms, study.method.requested or study.method.parameters)
+    learnt.sort(key=name_of)
+    return table_of(learnt, _RESULT)
 
 
 def without(
@@ -149,22 +151,22 @@ def without(
     """
     general = dataclasses.replace(calibration, overrides={}, pool=None, reference=())
     cases = {pattern: general if rule is calibration else rule for pattern, rule in calibration.cases}
-    own: dict[str, Calibration | None] = {}
+    overrides: dict[str, Calibration | None] = {}
     for asset, cut in spans.items():
         number = number_of(asset, tuple(cases))
         rule = tuple(cases.values())[number - 1] if number else general
         if rule is not None:
-            own[asset] = dataclasses.replace(rule, exclude=(*rule.exclude, *cut))
-    if not own:
+            overrides[asset] = dataclasses.replace(rule, exclude=(*rule.exclude, *cut))
+    if not overrides:
         return calibration
-    others = {asset: rule for asset, rule in cases.items() if asset not in own}
+    others = {asset: rule for asset, rule in cases.items() if asset not in overrides}
     reference = () if calibration.pool is None else ("*",)
-    return dataclasses.replace(calibration, overrides={**own, **others}, reference=reference)
+    return dataclasses.replace(calibration, overrides={**overrides, **others}, reference=reference)
 
 
 def number_of(asset: str, patterns: Sequence[str]) -> int:
     """Return which rule an asset has: 0 for the general one, else the place of its pattern, from 1."""
-    matches = (number for number, one in enumerate(patterns, 1) if pattern_matches(one, asset))
+    matches = (number for number, pattern in enumerate(patterns, 1) if pattern_matches(pattern, asset))
     return next(matches, 0)
 
 
@@ -173,14 +175,14 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
 
     Of the channel must be known: asset, channel, settings_no and calibration_no.
     """
-    pools = (one for one in method.calibration.pools if number_of(channel["asset"], one))
+    pools = (patterns for patterns in method.calibration.pools if number_of(channel["asset"], patterns))
     pool = next(pools, None)
     setting = method.settings[channel["settings_no"]]
     figures = _figures(setting, method.gaps[channel["settings_no"]])
-    if method.asked is not None:  # what calibration chooses anew each time is no other setting
-        asked = method.asked.of(*name_of(channel))
-        figures |= {"m": asked.m, "tau": asked.tau, "bins": asked.bins}
-        figures |= {"window_length": asked.window, "stride": asked.stride}
+    if method.requested is not None:  # what calibration chooses anew each time is no other setting
+        configured = method.requested.of(*name_of(channel))
+        figures |= {"m": configured.m, "tau": configured.tau, "bins": configured.bins}
+        figures |= {"window_length": configured.window, "stride": configured.stride}
     if setting.still_after is None:  # older versions know nothing of it
         del figures["still_after"]
     if setting.least_vectors == Parameters().least_vectors:  # likewise
@@ -189,8 +191,8 @@ def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
         del figures["is_robust"]
     if method.programs is not None:  # likewise
         figures["program"] = method.programs.column
-    said = (figures, method.rules[channel["calibration_no"]], pool)
-    return hashlib.sha256(repr(said).encode()).hexdigest()[:16]
+    hashed = (figures, method.rules[channel["calibration_no"]], pool)
+    return hashlib.sha256(repr(hashed).encode()).hexdigest()[:16]
 
 
 def differing(
@@ -218,8 +220,8 @@ def differing(
     with state.session.lent(names) as lent:
         chosen = state.session.rows(steps.query("channels", {"names": lent}))
     wanted = {name_of(row): settings_hash(method, row) for row in chosen}
-    made = {name_of(row): row["settings_hash"] for row in rows}
-    return sorted(channel for channel, hashed in made.items() if wanted[channel] != hashed)
+    stored = {name_of(row): row["settings_hash"] for row in rows}
+    return sorted(channel for channel, hashed in stored.items() if wanted[channel] != hashed)
 
 
 def method_hash() -> str:
@@ -264,10 +266,10 @@ def _monitor(state: State, study: Study, name: str, keys: dict[str, int]) -> Row
     return monitor
 
 
-def _due(found: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: bool) -> list[Row]:
+def _due(channels: Sequence[Row], versions: Mapping[tuple[str, str], Row], again: bool) -> list[Row]:
     """Return the channels of pools (a channel alone is one) that need versions, with the reason."""
     due: list[Row] = []
-    for pool in by("support_id", found).values():
+    for pool in by("support_id", channels).values():
         for row in pool:
             version = versions.get(name_of(row))
             is_other = version is not None and version["settings_hash"] != row["hash"]
@@ -289,7 +291,7 @@ def _learn(
     """Calibrate a group of channels into a draft; return a row for each."""
     running, state = study.running, draft.state
     local = {name_of(row): row for row in running.rows("channels")}
-    known = {
+    channel_ids = {
         name_of(row): row["channel_id"]
         for row in state.rows("stored/state/known_channels", {"monitor_id": monitor["monitor_id"]})
     }
@@ -298,10 +300,10 @@ def _learn(
     channels: list[Row] = []
     for row in group:
         key = name_of(row)
-        if key not in known:
+        if key not in channel_ids:
             last["channel"] += 1
-            known[key] = last["channel"]
-            ids = {"channel_id": known[key], "monitor_id": monitor["monitor_id"]}
+            channel_ids[key] = last["channel"]
+            ids = {"channel_id": channel_ids[key], "monitor_id": monitor["monitor_id"]}
             channels.append({**ids, "asset": row["asset"], "channel": row["channel"]})
         before = versions.get(key)
         number = row["settings_no"]
@@ -309,7 +311,7 @@ def _learn(
         numbering.append(
             {
                 "channel_id": local[key]["channel_id"],
-                "stored_channel_id": known[key],
+                "stored_channel_id": channel_ids[key],
                 "version_id": last["version"],
                 "stored_support_id": last["support"] + local[key]["support_id"],
                 "parent_id": None if before is None else before["version_id"],
@@ -325,21 +327,21 @@ def _learn(
         )
     last["support"] = max(row["stored_support_id"] for row in numbering)
     with state.session.lent(table_of(numbering, _NUMBERING)) as loaded:
-        running.placed["numbering"] = loaded
+        running.tables["numbering"] = loaded
         running.on_step("writing")
         draft.add(channels, study)
         learnt = {row["channel_id"]: row for row in running.rows("bounds")}
         for row in running.rows("unscored"):
             learnt[row["channel_id"]] |= row
         study.begin_anew()
-        del running.placed["numbering"]
-    made = []
+        del running.tables["numbering"]
+    rows = []
     for row, numbered in zip(group, numbering, strict=True):
         taught, used = learnt[numbered["channel_id"]], study.method.rules[row["calibration_no"]]
         end, gone = taught["calibration_end"], subtract(row["said"].allowed, used.allowed)
         left_out = sum(end is not None and start <= end for start, _ in gone)
-        made.append({**row, **taught, **numbered, "left_out": left_out})
-    return made
+        rows.append({**row, **taught, **numbered, "left_out": left_out})
+    return rows
 
 
 _NAMED = columns((WORD, "asset channel"))

@@ -30,7 +30,7 @@ TAUGHT = (
 
 #: In which order it is made. The support first: what reads its cells reads channels in stored order,
 #: where they can be; and the sums over all of it last.
-_MADE = (
+_PARTS = (
     "support",
     *(part for part in TAUGHT if part not in ("support", "checksum")),
     "version",
@@ -55,19 +55,19 @@ class Draft:
         begun = max(keys["version"], keys["calibration"], keys["extent"])
         self.last = {**keys, "version": begun}
         self._channels: list[Row] = []
-        self._kept: dict[str, list[exp.Select]] = defaultdict(list)
+        self._waiting: dict[str, list[exp.Select]] = defaultdict(list)
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
-        for rows in self._kept.values():
-            for one in rows:
-                self.state.session.forget(one.args["from_"].this)
+        for rows in self._waiting.values():
+            for select in rows:
+                self.state.session.forget(select.args["from_"].this)
 
     def add(self, channels: Sequence[Row], study: Study) -> None:
         """Take what a group of channels was taught: rows of new channels, and the steps of a study."""
-        parts = [part for part in _MADE if f"{part}_rows" in study.steps.steps]
+        parts = [part for part in _PARTS if f"{part}_rows" in study.steps.steps]
         for part in parts:
             study.prepare(f"{part}_rows")
         running, transactions = study.running, self.state.session.transactions
@@ -84,18 +84,18 @@ class Draft:
         for part in waiting:
             names = study.steps.steps[f"{part}_rows"].query.named_selects
             columns = [exp.column(exp.to_identifier(name)) for name in names]
-            self._kept[part].append(exp.select(*columns).from_(running.release(f"{part}_rows")))
+            self._waiting[part].append(exp.select(*columns).from_(running.release(f"{part}_rows")))
 
     def publish(self, name: str, alarms: Alarms, parameters: Parameters) -> None:
         """Write what waits, and limits of a monitor for all versions without one, together."""
-        if not self._kept:
+        if not self._waiting:
             limits.make(self.state, name, alarms, parameters)
             return
         with self.state.alone(self._keys), Running(self.state.session, Pipeline()) as running:
             self.state.append_rows("channel", self._channels)
             self._append(running, TAUGHT)
             running.put("versions", self._versions())
-            limits.make(self.state, name, alarms, parameters, versions=running.placed["versions"])
+            limits.make(self.state, name, alarms, parameters, versions=running.tables["versions"])
             self._append(running, ["version"])
 
     def _versions(self) -> exp.Query:
@@ -106,12 +106,12 @@ class Draft:
             else exp.column(field.name)
             for field in columns_of("version")
         ]
-        new = (rows.args["from_"].this for rows in self._kept["version"])
+        new = (rows.args["from_"].this for rows in self._waiting["version"])
         tables = (self.state.tables.table("version"), *new)
-        return exp.union(*(exp.select(*shown).from_(one.copy()) for one in tables), distinct=False)
+        return exp.union(*(exp.select(*shown).from_(table.copy()) for table in tables), distinct=False)
 
     def _append(self, running: Running, parts: Iterable[str]) -> None:
-        waiting = {(part, n): rows for part in parts for n, rows in enumerate(self._kept[part])}
+        waiting = {(part, n): rows for part in parts for n, rows in enumerate(self._waiting[part])}
         statements = [Statement(f"{part}_{n}", Kind.APPEND, part) for part, n in waiting]
         queries = {f"{part}_{n}": rows for (part, n), rows in waiting.items()}
         running.execute(Plan.of(running.steps, statements), queries, self.state.tables.table)
@@ -120,4 +120,4 @@ class Draft:
 def _plan(study: Study, kinds: Mapping[str, Kind]) -> Plan:
     """Return what becomes of the rows of some parts of a calibration."""
     statements = [Statement(f"{part}_rows", kind, part) for part, kind in kinds.items()]
-    return Plan.of(study.steps, statements, study.running.placed)
+    return Plan.of(study.steps, statements, study.running.tables)

@@ -62,7 +62,7 @@ class Monitor(MonitorSettings):
         source: where the telemetry lies: a table of that database, a file, or an Arrow table.
         parameters: of the method; default :class:`Parameters`. They count when a version is made.
         calibration: the healthy part; default the first fifth of each channel. It counts likewise.
-        asked: the rate of false alarms, and families; default :class:`Alarms`. It counts when
+        alarm_settings: the rate of false alarms, and families; default :class:`Alarms`. It counts when
             limits are made.
 
     Raises:
@@ -73,7 +73,7 @@ class Monitor(MonitorSettings):
     source: AnySource
     parameters: Parameters = None  # type: ignore[assignment]
     calibration: Calibration = None  # type: ignore[assignment]
-    asked: Alarms = None  # type: ignore[assignment]
+    alarm_settings: Alarms = None  # type: ignore[assignment]
 
     def __post_init__(self, engine: Any) -> None:
         super().__post_init__()
@@ -81,7 +81,7 @@ class Monitor(MonitorSettings):
         self.session = engine if isinstance(engine, Session) else connect(engine)
         self.parameters = self.parameters or Parameters()
         self.calibration = self.calibration or Calibration()
-        self.asked = self.asked or Alarms()
+        self.alarm_settings = self.alarm_settings or Alarms()
         self.state = State(self.session, self.tables)
         #: What the last calibration chose for channels that share it.
         self.siblings: list[Siblings] = []
@@ -140,12 +140,14 @@ class Monitor(MonitorSettings):
             UserError: the source or the calibration cannot be used; nothing is half written.
         """
         healthy = without(self.calibration, stored_alarms.left_out(self._required, self.name))
-        asked = self.parameters, healthy, on_step
-        study = Study(self.session, self.source, *asked, short_cuts=True, on_trust=False)
+        settings = self.parameters, healthy, on_step
+        study = Study(self.session, self.source, *settings, short_cuts=True, on_trust=False)
         self.siblings = study.siblings
         try:
-            self.asked.asked(study.method.kind)
-            return calibrate(self.state, study, self.name, self.asked, again, limit, self.calibration)
+            self.alarm_settings.rate_for(study.method.kind)
+            return calibrate(
+                self.state, study, self.name, self.alarm_settings, again, limit, self.calibration
+            )
         finally:
             study.running.forget()
 
@@ -193,7 +195,9 @@ class Monitor(MonitorSettings):
             full=full,
             confirmed=confirm,
             everything=everything,
-            chosen=lambda one, other: pattern_matches(asset, one) and pattern_matches(channel, other),
+            chosen=lambda asset_name, channel_name: (
+                pattern_matches(asset, asset_name) and pattern_matches(channel, channel_name)
+            ),
             limit=limit,
         )
         return Run(self.state, self.source, self.name, wanted, on_step).go(dry_run)
@@ -215,10 +219,10 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: there is no such monitor, or the source cannot be used.
         """
-        found = self.checked_state(limit, on_step)
+        checked = self.checked_state(limit, on_step)
         with contextlib.suppress(EngineError):
-            keep(self.state, self.state.monitor(self.name)["monitor_id"], found.proof)
-        return found.differences
+            keep(self.state, self.state.monitor(self.name)["monitor_id"], checked.proof)
+        return checked.differences
 
     def checked_state(self, limit: int | None = None, on_step: Listener = unheard) -> Checked:
         """Return what :meth:`check_state` does, and what is to be recorded of it; nothing is written."""
@@ -310,7 +314,9 @@ class Monitor(MonitorSettings):
         self._required.monitor(self.name)
         if again:
             with self.session.transaction():
-                limits.make(self.state, self.name, self.asked, self.parameters, reason, lambda _: True)
+                limits.make(
+                    self.state, self.name, self.alarm_settings, self.parameters, reason, lambda _: True
+                )
         return table_of(stored_alarms.limits(self.state, self.name), limits.SHOWN)
 
     def _repr_html_(self) -> str:
@@ -338,9 +344,9 @@ class Monitor(MonitorSettings):
         Raises:
             UserError: there is no such monitor, a length is none, or the database cannot be written.
         """
-        kept = self.keep if keep is None else keep
-        novel = self.keep_novel if keep_novel is None else keep_novel
-        return prune(self.state, self.name, kept, novel, keep_versions, self.lookback, dry_run)
+        age = self.keep if keep is None else keep
+        novel_age = self.keep_novel if keep_novel is None else keep_novel
+        return prune(self.state, self.name, age, novel_age, keep_versions, self.lookback, dry_run)
 
     def health(self, asset: str = "*", channel: str = "*") -> pa.Table:
         """Return the stored health indicator; the source is not read.

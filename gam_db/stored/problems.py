@@ -11,12 +11,12 @@ import pyarrow as pa
 
 from gam_db import data
 from gam_db.checking.words import number_of
-from gam_db.clock import TimeKind, shown_instant, shown_length, told_time
+from gam_db.clock import TimeKind, shown_instant, shown_length, time_of
 from gam_db.columns import COUNT, WORD, columns, name_of
 from gam_db.errors import printable
 from gam_db.findings import Row
 from gam_db.reading.ahead import Clock, zone_hours
-from gam_db.units import told_by
+from gam_db.units import time_type
 
 _WORDS: Mapping[str, Mapping[str, str]] = data.table("gam_db.stored", "problems.toml")
 
@@ -64,14 +64,17 @@ def data_problems(rows: Iterable[Row], kind: TimeKind, shown_in: dt.tzinfo = dt.
     ordered = sorted(
         rows, key=lambda row: (KINDS.index(row["kind"]), *((name or "") for name in name_of(row)))
     )
-    told = [row | _sentences(row, kind, shown_in) for row in ordered]
-    time = told_by(kind)
+    problems = [row | _sentences(row, kind, shown_in) for row in ordered]
+    time = time_type(kind)
     schema = columns(
         *((WORD, "kind asset channel"), (COUNT, "count total"), (time, "since until")),
         (WORD, "sentence advice"),
     )
     names = {"count": "affected"}
-    arrays = [pa.array([row[names.get(one.name, one.name)] for row in told], one.type) for one in schema]
+    arrays = [
+        pa.array([row[names.get(field.name, field.name)] for row in problems], field.type)
+        for field in schema
+    ]
     return pa.Table.from_arrays(arrays, schema=schema)
 
 
@@ -124,7 +127,7 @@ def jumped(rows: Iterable[Row]) -> list[Row]:
 
 
 def _sentences(row: Row, kind: TimeKind, shown_in: dt.tzinfo) -> Row:
-    said = _WORDS[row["kind"]]
+    sentences = _WORDS[row["kind"]]
     since, until, count, total = row["since"], row["until"], row["affected"], row["total"]
     words = {
         "name": printable(" ".join(name for name in name_of(row) if name is not None)),
@@ -141,13 +144,13 @@ def _sentences(row: Row, kind: TimeKind, shown_in: dt.tzinfo) -> Row:
         "hours": row.get("hours"),
     }
     form = "never" if since is None else "sentence"
-    return {"sentence": said[form].format(**words), "advice": said["advice"].format(**words)}
+    return {"sentence": sentences[form].format(**words), "advice": sentences["advice"].format(**words)}
 
 
 def _shown(tick: int, kind: TimeKind, shown_in: dt.tzinfo) -> str:
     """Return an instant to the minute, with its zone; a counter as it is."""
     try:
-        time = told_time(tick, kind)
+        time = time_of(tick, kind)
     except OverflowError:  # no calendar has the year
         return shown_instant(tick, kind)
     if isinstance(time, int):

@@ -56,7 +56,7 @@ _UNPLACED = 365 * DAY
 #: long as one is there, what is left of it is found again, should the work be cut short on an engine
 #: without transactions.
 _EXPIRED = {
-    **{one: f"expired_{one}s" for one in ("bucket", "judgement", "run", "horizon", "band_visit")},
+    **{table: f"expired_{table}s" for table in ("bucket", "judgement", "run", "horizon", "band_visit")},
     **{"novel": "expired_novel", "unplaced": "expired_unplaced"},
     "unknown_program": "expired_unknown_programs",
     "left_out": "expired_left_out",
@@ -121,13 +121,13 @@ def prune(
             f"{state.session.engine.title} has no transaction that could be undone; leave out the dry "
             "run."
         )
-    known = state.monitor(monitor)
-    kind = kind_of(known)
+    monitor_row = state.monitor(monitor)
+    kind = kind_of(monitor_row)
     slots: dict[str, template.Slot] = {  # in integers; 2^62 is for ever
-        role: FAR_AHEAD if given is None else length(given, kind, role)
-        for role, given in (("keep", keep), ("keep_novel", keep_novel))
+        role: FAR_AHEAD if age is None else length(age, kind, role)
+        for role, age in (("keep", keep), ("keep_novel", keep_novel))
     }
-    slots["lookback"] = lengths.lookback(lookback, kind, repeat_of(known["source"]))
+    slots["lookback"] = lengths.lookback(lookback, kind, repeat_of(monitor_row["source"]))
     slots["novel_rows"] = NOVEL_ROWS if keep_novel is None else FAR_AHEAD
     versions = FAR_AHEAD if keep_versions is None else keep_versions
     if isinstance(versions, bool) or not isinstance(versions, int) or versions < 0:
@@ -167,18 +167,18 @@ def _deleted(state: State, monitor: str, limits: Mapping[str, template.Slot], dr
     with contextlib.suppress(_UndoneError), session.transaction():
         state.lock(monitor_id)  # a run that publishes now is there as a whole, or not yet
         before = session.fetch(sizes)
-        kept: dict[str, exp.Table] = {}
+        step_tables: dict[str, exp.Table] = {}
         for step in steps.steps:
             if step in steps.small:
-                kept[step] = session.keep(step, steps.query(step, kept))
+                step_tables[step] = session.keep(step, steps.query(step, step_tables))
         # Recorded first: what is cut short then is too much kept, and not a loss.
-        state.append("horizon", steps.query("new_horizons", kept))
+        state.append("horizon", steps.query("new_horizons", step_tables))
         for table, step in _EXPIRED.items():
-            found = steps.query(step, kept)
-            session.delete(tables.table(table), found.named_selects, found)
+            expired_rows = steps.query(step, step_tables)
+            session.delete(tables.table(table), expired_rows.named_selects, expired_rows)
         after = session.fetch(sizes)
-        for made in kept.values():
-            session.forget(made)
+        for step_table in step_tables.values():
+            session.forget(step_table)
         if dry_run:
             raise _UndoneError
     # Both have a row per channel, in the same order.
@@ -193,8 +193,8 @@ def _query(
     state: State,
     path: str,
     slots: Mapping[str, template.Slot],
-    given: Mapping[str, exp.Table] | None = None,
+    tables: Mapping[str, exp.Table] | None = None,
 ) -> exp.Query:
     """Return a file of ``sql/`` with those of the slots that it has."""
-    own = {slot: slots[slot] for slot in template.load(path).slots}
-    return state.query(path, own, given)
+    file_slots = {slot: slots[slot] for slot in template.load(path).slots}
+    return state.query(path, file_slots, tables)

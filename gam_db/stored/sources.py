@@ -52,14 +52,14 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
         ConfigurationError: it was made from an Arrow table, and no relation is given.
         StateError: its row says nothing that gam-db writes.
     """
-    kept, written = _parted(monitor["source"])
-    relation = kept if relation is None else relation
+    original, written = _parted(monitor["source"])
+    relation = original if relation is None else relation
     if isinstance(relation, str) and relation == _OBJECT:
         raise ConfigurationError(
             f"The monitor {monitor['name']!r} was made from an Arrow table, which is not kept; name its "
             "source."
         )
-    said = {
+    arguments = {
         "asset": monitor["asset_column"],
         "time": monitor["time_column"],
         "where": monitor["condition"],
@@ -71,8 +71,10 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
             f"{monitor['layout']!r}, neither long nor wide. Put it back from a copy of the database."
         )
     if monitor["layout"] == "wide":
-        return WideSource(relation, channels=sorted(set(channels)) or None, **said)
-    return Source(relation, channel=monitor["channel_column"], value=monitor["value_column"], **said)
+        return WideSource(relation, channels=sorted(set(channels)) or None, **arguments)
+    return Source(
+        relation, channel=monitor["channel_column"], value=monitor["value_column"], **arguments
+    )
 
 
 def relation_of(monitor: Mapping[str, Any]) -> str | list[str]:
@@ -89,21 +91,21 @@ def repeat_of(source: str) -> int:
 def _written(source: AnySource) -> str:
     """Return further files, and how numbers and times are written, as the fragment of an address."""
     more = paths_of(source.relation)[1:] if is_file(source.relation) else []
-    said = {**({_MORE: more} if more else {}), **source.written}
-    return f"#{urlencode(said, doseq=True)}" if said else ""
+    fields = {**({_MORE: more} if more else {}), **source.written}
+    return f"#{urlencode(fields, doseq=True)}" if fields else ""
 
 
-def _parted(kept: str) -> tuple[str | list[str], dict[str, Any]]:
+def _parted(address: str) -> tuple[str | list[str], dict[str, Any]]:
     """Return a relation and how things are written there, as it was kept."""
-    first, mark, fragment = kept.rpartition("#")
-    said, known = parse_qs(fragment), settings_of(Form)
-    if not mark or not said or not said.keys() <= {_MORE, *known}:
-        return kept, {}
-    more = said.pop(_MORE, [])
+    first, mark, fragment = address.rpartition("#")
+    fields, settings = parse_qs(fragment), settings_of(Form)
+    if not mark or not fields or not fields.keys() <= {_MORE, *settings}:
+        return address, {}
+    more = fields.pop(_MORE, [])
     relation = [first, *more] if more else first
-    many = {"null": tuple(said["null"])} if "null" in said else {}
-    skipped = {"skip_rows": int(said["skip_rows"][0])} if "skip_rows" in said else {}
-    return relation, {name: values[0] for name, values in said.items()} | many | skipped
+    many = {"null": tuple(fields["null"])} if "null" in fields else {}
+    skipped = {"skip_rows": int(fields["skip_rows"][0])} if "skip_rows" in fields else {}
+    return relation, {name: values[0] for name, values in fields.items()} | many | skipped
 
 
 def _shown(relation: Any) -> str:

@@ -25,7 +25,7 @@ from gam_db.stored.schema.tables import StateTables
 
 #: The slots of a file, and tables that stand for what it reads besides.
 Slots: TypeAlias = Mapping[str, template.Slot] | None
-Given: TypeAlias = Mapping[str, exp.Table] | None
+TableNodes: TypeAlias = Mapping[str, exp.Table] | None
 
 #: A run id is the time of the run with this many random bits below, so that two writers differ.
 _RANDOM_BITS = 10
@@ -53,18 +53,18 @@ class State:
     session: Session
     tables: StateTables
 
-    def fetch(self, path: str, slots: Slots = None, given: Given = None) -> pa.Table:
+    def fetch(self, path: str, slots: Slots = None, tables: TableNodes = None) -> pa.Table:
         """Return the rows of one file of ``sql/`` that reads state tables, and perhaps some others."""
-        return self.session.fetch(self.query(path, slots, given))
+        return self.session.fetch(self.query(path, slots, tables))
 
-    def rows(self, path: str, slots: Slots = None, given: Given = None) -> list[Row]:
+    def rows(self, path: str, slots: Slots = None, tables: TableNodes = None) -> list[Row]:
         """Return the same, each row by the names of its columns."""
-        return self.session.rows(self.query(path, slots, given))
+        return self.session.rows(self.query(path, slots, tables))
 
-    def query(self, path: str, slots: Slots = None, given: Given = None) -> exp.Query:
+    def query(self, path: str, slots: Slots = None, tables: TableNodes = None) -> exp.Query:
         """Return the query of such a file, filled, over where its tables lie."""
         query = filled(path, slots)
-        place(query, {**self.tables.placed(), **(given or {})})
+        place(query, {**self.tables.nodes(), **(tables or {})})
         return query
 
     def append(self, table: str, query: exp.Query) -> None:
@@ -95,13 +95,13 @@ class State:
         Raises:
             ConfigurationError: there is none of that name.
         """
-        found = self.monitors()
-        for row in found:
+        monitors = self.monitors()
+        for row in monitors:
             if row["name"] == name:
                 return row
         raise ConfigurationError(
             f"There is no monitor {name!r} yet in {self.tables.shown('monitor')} "
-            "(`gam calibrate` makes it)" + nearest(name, [row["name"] for row in found])
+            "(`gam calibrate` makes it)" + nearest(name, [row["name"] for row in monitors])
         )
 
     def last_numbers(self) -> dict[str, int]:

@@ -27,7 +27,7 @@ from gam_db.stored.checking.proving import STATE, Proof, last_proofs
 from gam_db.stored.problems import data_problems, jumped, left_out, programs
 from gam_db.stored.schema import migrations
 from gam_db.stored.state import State, kind_of
-from gam_db.units import told_by
+from gam_db.units import time_type
 
 #: Newest buckets of a channel in which a jump of its counter is looked for.
 _ENDS = 64
@@ -48,7 +48,7 @@ class Standing(NamedTuple):
         """Return the same of some assets, with what is wrong with the monitor as a whole."""
         channels, problems = (
             table.filter(
-                pa.array([one is None or pattern_matches(pattern, one) for one in names], pa.bool_())
+                pa.array([name is None or pattern_matches(pattern, name) for name in names], pa.bool_())
             )
             for table in self
             for names in [table["asset"].to_pylist()]
@@ -147,37 +147,39 @@ def assessed(
         shown_in: the time zone of the sentences of data problems.
     """
     migrations.require(state.session, state.tables)
-    known = state.monitor(monitor)
-    kind = kind_of(known)
+    monitor_row = state.monitor(monitor)
+    kind = kind_of(monitor_row)
     stored = state.fetch("stored/state/status_rows", {"monitor": text(monitor), "long_ago": LONG_AGO})
     instant = state.session.now() if now is None else now
     steps = _watching(kind, lengths.park_after(park_after, kind), instant)
     with state.session.lent(stored) as lent:
-        courses = _courses(state.fetch("stored/state/course", given={"status_rows": lent}))
-        placed = {**state.tables.placed(), "status_rows": lent}
-        ends = {row["version_id"]: row for row in state.session.rows(steps.query("watched", placed))}
-        problems = state.session.rows(steps.query("data_problems", placed))
+        courses = _courses(state.fetch("stored/state/course", tables={"status_rows": lent}))
+        tables = {**state.tables.nodes(), "status_rows": lent}
+        ends = {row["version_id"]: row for row in state.session.rows(steps.query("watched", tables))}
+        problems = state.session.rows(steps.query("data_problems", tables))
         # A calendar has pauses, and a clock that tells what is ahead.
-        jumps = state.session.rows(steps.query("jumps", placed)) if kind.is_counter else []
-    met = state.rows("stored/state/left_out_rows", {"monitor_id": known["monitor_id"]})
+        jumps = state.session.rows(steps.query("jumps", tables)) if kind.is_counter else []
+    met = state.rows("stored/state/left_out_rows", {"monitor_id": monitor_row["monitor_id"]})
     ran = state.rows("stored/state/program_problems", {"monitor": text(monitor)})
     rows = stored.sort_by(list(ORDER)).to_pylist()
-    found, about = [], {}
+    finding_rows, about = [], {}
     for row in rows:
         end = ends[row["version_id"]]
         row |= {"last_data": end["last_data"], "silent": bool(end["is_silent"])}
         row["watched"] = bool(end["is_watched"])
         span, course = (row["m"] - 1) * row["tau"], _course(row, courses.get(row["version_id"]))
-        said = finding(row, span, row["window_length"], course)
-        remarks = [*said["remarks"], *_remarks(row, kind)]
+        finding_row = finding(row, span, row["window_length"], course)
+        remarks = [*finding_row["remarks"], *_remarks(row, kind)]
         lacking = shortcomings(row, span) if row["verdict"] == "no_data" else []
         about[row["version_id"]] = {name: row[name] for name in ("asset", "channel", "version")}
         about[row["version_id"]]["why"] = "".join(lacking)
-        found.append({**said, "remarks": [one for one in remarks if one not in lacking]})
+        finding_rows.append(
+            {**finding_row, "remarks": [remark for remark in remarks if remark not in lacking]}
+        )
     nobody = dict.fromkeys(("asset", "channel", "version", "why"))
     listed = [row | about.get(row["version_id"], nobody) for row in problems]
     listed += [*left_out(met, len(rows)), *jumped(jumps), *programs(ran)]
-    return Standing(_table(found, kind), data_problems(listed, kind, shown_in))
+    return Standing(_table(finding_rows, kind), data_problems(listed, kind, shown_in))
 
 
 def _watching(kind: TimeKind, longest: int | None, now: int) -> Pipeline:
@@ -261,14 +263,14 @@ def machines(state: State, monitor: str, channels: pa.Table) -> pa.Table:
     ]
     schema = columns(
         (WORD, "asset"),
-        (told_by(kind), "since"),
+        (time_type(kind), "since"),
         (COUNT, "above watched not_watched channels"),
         (WORD, "first_channel strongest_channel"),
         (SHARE, "strength"),
         (COUNT, "together need_attention silent"),
     )
-    made = {one.name: pa.array([row[one.name] for row in rows], one.type) for one in schema}
-    return pa.table(made, schema=schema)
+    arrays = {field.name: pa.array([row[field.name] for row in rows], field.type) for field in schema}
+    return pa.table(arrays, schema=schema)
 
 
 def _courses(stretches: pa.Table) -> dict[int, tuple[NDArray[np.float64], int]]:
@@ -283,10 +285,10 @@ def _courses(stretches: pa.Table) -> dict[int, tuple[NDArray[np.float64], int]]:
     }
 
 
-def _course(row: Row, known: tuple[NDArray[np.float64], int] | None) -> Course | None:
-    if row["bucket"] is None or known is None:
+def _course(row: Row, course: tuple[NDArray[np.float64], int] | None) -> Course | None:
+    if row["bucket"] is None or course is None:
         return None
-    hi, since = known
+    hi, since = course
     return Course(
         hi=hi,
         since=since,
@@ -326,7 +328,7 @@ def _remarks(row: Row, kind: TimeKind) -> list[str]:
 
 def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
     """Return the findings as a table, in their order."""
-    time = told_by(kind)
+    time = time_type(kind)
     schema = columns(
         (WORD, "asset channel"),
         *((COUNT, "version"), (WORD, "status"), (TRUTH, "needs_attention watched"), (WORD, "verdict")),
@@ -345,10 +347,11 @@ def _table(rows: Sequence[Row], kind: TimeKind) -> pa.Table:
         *((SHARE, "strength"), (WORD, "settings_hash method_hash")),
         (pa.list_(WORD), "remarks"),
     )
-    found = {
-        one.name: pa.array([row[one.name] for row in rows], one.type, from_pandas=True) for one in schema
+    arrays = {
+        field.name: pa.array([row[field.name] for row in rows], field.type, from_pandas=True)
+        for field in schema
     }
-    return pa.table(found, schema=schema)
+    return pa.table(arrays, schema=schema)
 
 
 def _cell(value: object) -> str:

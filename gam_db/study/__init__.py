@@ -57,7 +57,7 @@ class Study:
             not for who changes what the steps read.
         on_trust: of the two, take the second as well; not for who asks for calibration alone, which
             proves nothing of what comes after it.
-        asked: the last steps that will be asked for, where that is known: what serves no other is made
+        targets: the last steps that will be asked for, where that is known: what serves no other is made
             so that it costs least. Others may be asked for, at a price.
 
     Raises:
@@ -74,7 +74,7 @@ class Study:
         strict: bool = True,
         short_cuts: bool = False,
         on_trust: bool = True,
-        asked: Collection[str] = (),
+        targets: Collection[str] = (),
     ) -> None:
         self.session, self._named = session, source.relation
         self._is_lent = not isinstance(source.relation, (str, Path, tuple, list))
@@ -82,7 +82,7 @@ class Study:
         self.relation, self.columns, self.source = read.stored, read.columns, read.source
         if read.programs is not None:
             short_cuts = False  # which program ran is told by the steps that look first
-        said = None
+        open_parameters = None
         #: Channels that share settings which calibration chose.
         self.siblings: list[Siblings] = []
         if parameters.is_open:
@@ -90,10 +90,10 @@ class Study:
             # Settings are chosen over all programs (both sides, section 5).
             whole = source if read.programs is None else dataclasses.replace(self.source, program=None)
             rough = Study(session, whole, parameters.finest(), calibration, *listening, ("bounds",))
-            said = parameters
-            parameters, self.siblings = rough.chosen(said)
+            open_parameters = parameters
+            parameters, self.siblings = rough.chosen(open_parameters)
             rough.forget()
-        self.method = Method(parameters, calibration, read.kind, said, programs=read.programs)
+        self.method = Method(parameters, calibration, read.kind, open_parameters, programs=read.programs)
         unread = dataclasses.replace(read.rows, relation=None)  # the node counts
         self.clock = ahead.Clock.read(session, self.source, read.kind)
         #: Channels with rows that are later than now, which are left out; see :func:`ahead.rows_ahead`.
@@ -101,9 +101,9 @@ class Study:
         latest = self.clock.latest
         asking = self.method, unread, read.relation, session.engine
         until: int | None = None
-        self._asked = (*asking, until)
-        self._on_step, self._steps_wanted = on_step, frozenset(asked)
-        scores = not asked or Ways(asked=self._steps_wanted).scores  # else no vector would prove it
+        self._inputs = (*asking, until)
+        self._on_step, self._steps_wanted = on_step, frozenset(targets)
+        scores = not targets or Ways(targets=self._steps_wanted).scores  # else no vector would prove it
         self._has_census = short_cuts and on_trust and scores and census.serves(self.method)
         self._form: Streams | Census | None = None
         self._is_checked = False
@@ -111,11 +111,11 @@ class Study:
         names = self._names()
         ends = () if self.clock.now is None else names["latest"].drop_null().to_pylist()
         if any(end > latest for end in ends):
-            kept = self.running.placed.get("readings")
-            rows = self._readings(latest + 1, FAR_AHEAD) if kept is None else kept
+            readings = self.running.tables.get("readings")
+            rows = self._readings(latest + 1, FAR_AHEAD) if readings is None else readings
             self.ahead = ahead.rows_ahead(session, rows, latest)
             self.running.forget()
-            self._asked = (*asking, latest)
+            self._inputs = (*asking, latest)
             self._begin(short_cuts)
             names = self._names()
             if not names.num_rows:
@@ -133,7 +133,7 @@ class Study:
             self.running = Running(self.session, self._opening(), on_step=self._on_step)
         is_even = all(map(self.method.is_unbroken, range(len(self.method.settings))))
         self._slicing: Slicing | None = None
-        self._ways = Ways(asked=self._steps_wanted, by_windows=not is_even, is_collapsed=is_collapsed)
+        self._ways = Ways(targets=self._steps_wanted, by_windows=not is_even, is_collapsed=is_collapsed)
         self._is_streamed = may_stream and seems_ordered(self.method, self.running, self._ways.scores)
         if self._has_census and not self._is_streamed:
             self._slicing, self._ways = census.begun(self.running, self._ways, self._opening)
@@ -141,19 +141,19 @@ class Study:
 
     def _names(self) -> pa.Table:
         """Return the rows of the step *names*."""
-        return self.session.fetch(self.steps.query("names", self.running.placed))
+        return self.session.fetch(self.steps.query("names", self.running.tables))
 
     def _choose(self, names: pa.Table) -> None:
         """Choose the form in which the steps are made: streams, the census, or those that look first."""
         # Supports are kept as bits where those of so many channels have room.
-        grids = (one.radix**one.m for one in self.method.settings)
+        grids = (setting.radix**setting.m for setting in self.method.settings)
         self._bits = bits = None if self.method.programs else self.session.engine.bits
         if bits is not None and not all(bits.serve(cells, names.num_rows) for cells in grids):
             self._bits = bits = None
         ways = self._ways
         if not any(names["missing_readings"].to_pylist()):
             ways = dataclasses.replace(ways, has_missing=False)
-        if any(one.still_after is not None for one in self.method.settings):
+        if any(setting.still_after is not None for setting in self.method.settings):
             has_room = sum(names["readings"].to_pylist()) <= self.session.rows_at_once()
             # A channel without a healthy range has no vectors that could be kept.
             ways = dataclasses.replace(ways, has_room=has_room and not ways.is_collapsed)
@@ -232,17 +232,17 @@ class Study:
 
     def undated(self) -> Undated:
         """Return which rows of the source tell no time, or two."""
-        method, source, relation, _, _ = self._asked
+        method, source, relation, _, _ = self._inputs
         return undated(self.session, source, relation, method.kind)
 
-    def chosen(self, asked: Parameters) -> tuple[Parameters, list[Siblings]]:
+    def chosen(self, parameters: Parameters) -> tuple[Parameters, list[Siblings]]:
         """Return what calibration chooses of open settings, of which these are the finest grids."""
         sets = [OfSet(self.steps, self.method, number) for number in range(len(self.method.settings))]
-        return choose(self.running, sets, asked)
+        return choose(self.running, sets, parameters)
 
     def invalid(self) -> dict[tuple[str, str], int]:
         """Return for how many rows of each channel the condition on readings does not hold."""
-        method, source, relation, engine, until = self._asked
+        method, source, relation, engine, until = self._inputs
         if source.valid_when is None:
             return {}
         steps = Pipeline()
@@ -252,7 +252,7 @@ class Study:
 
     def readings_of(self, source: AnySource) -> exp.Query:
         """Return the readings of a source like the study's, of the same relation."""
-        method, _, relation, engine, until = self._asked
+        method, _, relation, engine, until = self._inputs
         return engine.readings(source, relation, method.kind, until=until)
 
     def forget(self) -> None:
@@ -263,14 +263,14 @@ class Study:
 
     def _opening(self, slicing: Slicing | None = None, ways: Ways | None = None) -> Pipeline:
         """Return the steps that are asked first."""
-        steps = opened(*self._asked, slicing, ways).copied()
+        steps = opened(*self._inputs, slicing, ways).copied()
         return self._with_file(steps)
 
     def _steps(
         self, bits: Bits | None, slicing: Slicing | None = None, ways: Ways | None = None
     ) -> Pipeline:
         """Return steps of the study's own; text is parsed once, not once per step."""
-        steps = filled(*self._asked, bits is not None, slicing, ways).copied()
+        steps = filled(*self._inputs, bits is not None, slicing, ways).copied()
         if "probes" in self._steps_wanted:
             steps.small |= self.method.probed()
         return self._with_file(steps)
@@ -319,7 +319,7 @@ class Study:
         running.steps = self._opening()
         collapsed = running.steps.copied()
         add(collapsed, "source/collapsed_readings")
-        running.put("readings", collapsed.query("collapsed_readings", running.placed))
+        running.put("readings", collapsed.query("collapsed_readings", running.tables))
         self._begin(may_stream=False, is_collapsed=True)
         self._choose(self._names())
 
@@ -333,8 +333,8 @@ class Study:
 
     def _readings(self, earliest: int, latest: int) -> exp.Query:
         """Return the step *readings* for a range of time, with bounds that an index can serve."""
-        method, source, relation, engine, until = self._asked
-        if "readings" in self.running.placed:  # of a text file, which is not to be parsed again
+        method, source, relation, engine, until = self._inputs
+        if "readings" in self.running.tables:  # of a text file, which is not to be parsed again
             within = engine.in_range(TimeKind.COUNTER, exp.column("time"), earliest, latest)
             return union_of(self.steps, ["readings"]).where(*within, copy=False)
         return ranged(source, relation, engine, method.kind, earliest, latest, until)
@@ -347,7 +347,7 @@ def studied(
     calibration: Calibration | None,
     engine: Any,
     short_cuts: bool = False,
-    asked: Collection[str] = (),
+    targets: Collection[str] = (),
 ) -> Iterator[Study]:
     """Give a study of a source, whose columns are guessed where only a relation is given.
 
@@ -355,8 +355,8 @@ def studied(
     :func:`gam_db.engines.connecting.borrowed`, for all else :class:`Study`.
     """
     with borrowed(engine) as session:
-        said = (parameters or Parameters(), calibration or Calibration())
-        study = Study(session, sourced(source, session), *said, short_cuts=short_cuts, asked=asked)
+        method = (parameters or Parameters(), calibration or Calibration())
+        study = Study(session, sourced(source, session), *method, short_cuts=short_cuts, targets=targets)
         try:
             yield study
         finally:

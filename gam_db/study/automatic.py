@@ -55,15 +55,15 @@ class Siblings:
     @property
     def thinning(self) -> int:
         """One in how many vectors is picked of those that a probe picks."""
-        return next((one for most, one in THINNED if len(self.channels) <= most), 8)
+        return next((thinning for most, thinning in THINNED if len(self.channels) <= most), 8)
 
     @property
     def units(self) -> dict[int, list[Row]]:
         """The channels by the support that they fill."""
-        found: dict[int, list[Row]] = {}
+        units: dict[int, list[Row]] = {}
         for row in self.channels:
-            found.setdefault(row["support_id"], []).append(row)
-        return found
+            units.setdefault(row["support_id"], []).append(row)
+        return units
 
 
 def window_of(samples: Iterable[int]) -> int:
@@ -143,18 +143,18 @@ class Choosing:
             number = delays.index(row["delay"])
             ids = {name: row[of] * len(DELAYS) + number for name, of in _IDS}
             rows.append({**row, "delay_no": number, **ids})
-        session, found = self.running.session, Scores()
+        session, scores = self.running.session, Scores()
         with session.lent(table_of(rows, _LEARNERS)) as lent:
-            taught = self.running.placed[self.sets[of_set]]
-            given = {"taught_samples": taught, "learners": lent}
+            taught = self.running.tables[self.sets[of_set]]
+            tables = {"taught_samples": taught, "learners": lent}
             if not any(row["is_cut"] for row in learners):
-                given["sampled"] = taught
-            with Running(session, steps, given, self.running.on_step) as work:
+                tables["sampled"] = taught
+            with Running(session, steps, tables, self.running.on_step) as work:
                 for row in work.rows("scores" if has_probe else "passing"):
                     unit, number = divmod(row["support_id"], len(DELAYS))
-                    of_unit = found.setdefault(unit, {}).setdefault(delays[number], {})
+                    of_unit = scores.setdefault(unit, {}).setdefault(delays[number], {})
                     of_unit[row["level"]] = row.get("score", 0)
-        return found
+        return scores
 
     def settle(self, families: Sequence[Siblings], of_set: int) -> dict[int, dict[str, int]]:
         """Choose for siblings with the same settings; return what is chosen for each unit."""
@@ -179,26 +179,26 @@ class Choosing:
         else:
             for family in families:
                 family.tau = setting.tau
-        known, wanted, whole = Scores(), [], set[int]()
+        scores, wanted, whole = Scores(), [], set[int]()
         for unit, (family, members) in units.items():
             if len(members) == 1 and unit in early and _is_whole(members[0], windows[unit]):
                 whole.add(unit)
-                known[unit] = early[unit]
+                scores[unit] = early[unit]
             else:
                 wanted += _learners(family, members, unit, [family.tau], windows[unit])
-        known |= self.scores(setting, of_set, m, wanted)
+        scores |= self.scores(setting, of_set, m, wanted)
         smaller = []
         for unit, (family, members) in units.items():
-            if not known.get(unit, {}).get(family.tau) and unit not in whole:
+            if not scores.get(unit, {}).get(family.tau) and unit not in whole:
                 before = [delay for delay in DELAYS if delay < family.tau] * is_open["tau"]
                 smaller += _learners(family, members, unit, before, windows[unit])
-        for unit, found in self.scores(setting, of_set, m, smaller).items():
-            known[unit] = {**known.get(unit, {}), **found}
+        for unit, unit_scores in self.scores(setting, of_set, m, smaller).items():
+            scores[unit] = {**scores.get(unit, {}), **unit_scores}
         grids, failing = rungs(setting), []
         for unit, (family, _) in units.items():
-            usable = [delay for delay in known.get(unit, {}) if delay <= family.tau]
+            usable = [delay for delay in scores.get(unit, {}) if delay <= family.tau]
             if usable:
-                level = level_of(known[unit][max(usable)])
+                level = level_of(scores[unit][max(usable)])
                 self._take(chosen, unit, setting, tau=max(usable), bins=grids[level])
             else:
                 failing.append(unit)
@@ -206,8 +206,8 @@ class Choosing:
         for less in lower:
             wanted = [row for at in failing for row in _learners(*units[at], at, [1], windows[at])]
             passing = self.scores(setting, of_set, less, wanted, has_probe=False)
-            for unit, found in passing.items():
-                self._take(chosen, unit, setting, m=less, tau=1, bins=grids[min(found[1])])
+            for unit, unit_scores in passing.items():
+                self._take(chosen, unit, setting, m=less, tau=1, bins=grids[min(unit_scores[1])])
             failing = [unit for unit in failing if unit not in passing]
         usual = Counter(of["bins"] for of in chosen.values() if "bins" in of)
         commonest = max(usual, key=lambda bins: (usual[bins], bins), default=grids[-1])
@@ -269,14 +269,14 @@ def looked_at(siblings: Sequence[Row]) -> list[Row]:
 
 
 def choose(
-    running: Running, sets: Sequence[OfSet], asked: Parameters
+    running: Running, sets: Sequence[OfSet], parameters: Parameters
 ) -> tuple[Parameters, list[Siblings]]:
     """Return parameters with what calibration chooses, one override per pattern; and the siblings.
 
     Args:
         running: the steps of a study under the finest grids, at work.
         sets: its sets.
-        asked: the parameters as the user gave them.
+        parameters: the parameters as the user gave them.
     """
     if not running.largest("timeline", "repeats"):
         running.load("collapsed", table_of([], _COLLAPSED))  # else it is looked for in every reading
@@ -285,30 +285,30 @@ def choose(
     running.put("samples", running.query("taught_readings"))
     bounds = {row["channel_id"]: row for row in running.rows("bounds")}
     channels = [{**bounds[row["channel_id"]], **row} for row in running.rows("channels")]
-    settings = {name_of(row): asked.of(*name_of(row)) for row in channels}
+    settings = {name_of(row): parameters.of(*name_of(row)) for row in channels}
     families = _families(channels, settings)
-    kept: dict[int, str] = {}
-    for number, one in enumerate(sets):
+    step_names: dict[int, str] = {}
+    for number, of_set in enumerate(sets):
         if any(row["settings_no"] == number for of in families for row in of.channels):
-            add_taught_samples(one)
-            running.keep(name := one.named("taught_samples"))
-            kept[number] = name
-    choosing = Choosing(running, [kept.get(number, "") for number in range(len(sets))])
+            add_taught_samples(of_set)
+            running.keep(name := of_set.named("taught_samples"))
+            step_names[number] = name
+    choosing = Choosing(running, [step_names.get(number, "") for number in range(len(sets))])
     chosen: dict[int, dict[str, int]] = {}
     together: dict[Any, list[Siblings]] = {}
     for family in families:
         together.setdefault((family.setting, family.channels[0]["settings_no"]), []).append(family)
     for (_, number), alike in together.items():
         chosen |= choosing.settle(alike, number)
-    said = {
+    chosen_settings = {
         name_of(row): settings[name_of(row)].closed(**chosen.get(row["support_id"], {}))
         for row in channels
     }
-    rules, everything = grouped(said), ("*", "*")
-    general = next((one for pattern, one in rules if pattern == everything), asked.finest())
+    rules, everything = grouped(chosen_settings), ("*", "*")
+    general = next((setting for pattern, setting in rules if pattern == everything), parameters.finest())
     overrides = [
-        Override(*pattern, **{key: getattr(one, key) for key in settings_of(Parameters)})
-        for pattern, one in rules
+        Override(*pattern, **{key: getattr(setting, key) for key in settings_of(Parameters)})
+        for pattern, setting in rules
         if pattern != everything
     ]
     return replace(general, overrides=overrides), families
@@ -316,21 +316,21 @@ def choose(
 
 def _families(channels: Sequence[Row], settings: Mapping[Any, Parameters]) -> list[Siblings]:
     """Return channels with open settings by name; those that have a name alone are siblings, too."""
-    found: dict[Any, Siblings] = {}
+    by_setting: dict[Any, Siblings] = {}
     for row in channels:
         setting = settings[name_of(row)]
         if setting.open_settings:
             key = setting, row["channel"]
-            found.setdefault(key, Siblings(row["channel"], setting, [])).channels.append(row)
+            by_setting.setdefault(key, Siblings(row["channel"], setting, [])).channels.append(row)
     families: list[Siblings] = []
     alone: dict[Parameters, Siblings] = {}
-    for family in found.values():
+    for family in by_setting.values():
         if len(family.channels) > 1:
             families.append(family)
             continue
         together = alone.setdefault(family.setting, Siblings("", family.setting, []))
         together.channels += family.channels
-    return [*sorted(families, key=lambda one: one.name), *alone.values()]
+    return [*sorted(families, key=lambda family: family.name), *alone.values()]
 
 
 def _learners(

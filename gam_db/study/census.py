@@ -137,7 +137,7 @@ class Census:
         if self.method.is_parted:
             return True
         self._bound_edges()
-        ends = ((row["calibration_end"], row["first_scored"]) for row in self._kept_rows("limits"))
+        ends = ((row["calibration_end"], row["first_scored"]) for row in self._step_rows("limits"))
         return all(taught is None or taught < scored for taught, scored in ends)
 
     def _prove(self) -> None:
@@ -147,7 +147,7 @@ class Census:
         if step is not None and self._repeats_in_order(step):
             raise RepeatedError(TWICE)
         self._bound_edges()
-        limits = [{**row, "unscored_end": row["first_scored"] - 1} for row in self._kept_rows("limits")]
+        limits = [{**row, "unscored_end": row["first_scored"] - 1} for row in self._step_rows("limits")]
         self._bound(TAUGHT, limits, "calibration_from", "unscored_end")
         for number in self._sets:
             bounds, *marked = (
@@ -164,7 +164,7 @@ class Census:
             run_up, final, scored = (
                 self._step(step, number) for step in ("run_up", ways.counted, SCORED)
             )
-            self._bound(scored, self._kept_rows(run_up), "read_from")
+            self._bound(scored, self._step_rows(run_up), "read_from")
             if self._is_marked([final]):
                 raise RepeatedError(TWICE)
 
@@ -180,12 +180,12 @@ class Census:
     def _marked(self, step: str, *names: str) -> list[Row]:
         self.running.keep(step)
         columns = {"names": [exp.column(name) for name in names]}
-        return self.running.asked("census/repeated_instants", columns, {"marked": step})
+        return self.running.query_rows("census/repeated_instants", columns, {"marked": step})
 
     def _step(self, step: str, number: int) -> str:
         """Return what a step is called, which may be one of a set."""
-        own = self.method.named(step, number)
-        return own if own in self.running.steps.steps else step
+        set_step = self.method.named(step, number)
+        return set_step if set_step in self.running.steps.steps else step
 
     def _has_large_support(self) -> bool:
         """Tell whether a support has more cells than the engine looks up as a set."""
@@ -196,12 +196,12 @@ class Census:
         for number in self._sets:
             self.running.keep(support := self.method.named("support", number))
             cells = exp.select(exp.Count(this=exp.Star()).as_("cells"))
-            counted = session.rows(cells.from_(self.running.placed[support].copy()))
+            counted = session.rows(cells.from_(self.running.tables[support].copy()))
             if counted[0]["cells"] > most:
                 return True
         return False
 
-    def _kept_rows(self, step: str) -> list[Row]:
+    def _step_rows(self, step: str) -> list[Row]:
         """Keep a step, and return its rows."""
         self.running.keep(step)
         return self.running.rows(step)
@@ -211,7 +211,7 @@ class Census:
         if EDGES not in self.running.steps.steps:
             return
         self.running.keep("edges")
-        (edge,) = self.running.asked("census/edge_range")
+        (edge,) = self.running.query_rows("census/edge_range")
         if edge["first_time"] is not None:
             self.running.steps.replace(EDGES, self._between(edge["first_time"], edge["last_time"]))
 

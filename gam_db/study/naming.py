@@ -61,17 +61,17 @@ def _is_plain(method: Method, bits: Bits) -> bool:
     has_bits = all(bits.serve(setting.radix**setting.m) for setting in method.settings)
     # What stands still where calibration begins is told by the samples before it.
     may_begin_late = all(setting.still_after is None for setting in method.settings)
-    are_one = (
+    are_intervals = (
         tuple(rule.allowed) == whole
         or (may_begin_late and rule.fraction is None and len(rule.allowed) <= 1)
         for rule in method.rules
     )
-    return has_bits and method.is_parted and all(are_one)
+    return has_bits and method.is_parted and all(are_intervals)
 
 
 def seems_apart(running: Running) -> bool:
     """Tell whether the first rows of the step *readings* are of two channels at most."""
-    return len(running.asked("streams/glance", {"rows": GLANCE})) <= 2
+    return len(running.query_rows("streams/glance", {"rows": GLANCE})) <= 2
 
 
 def counted(running: Running, is_proven: bool = False) -> pa.Table | None:
@@ -87,36 +87,36 @@ def counted(running: Running, is_proven: bool = False) -> pa.Table | None:
     """
     if not seems_apart(running):
         return None
-    guessed = running.asked("streams/spread", {"every": EVERY, "mask": EVERY - 1})
+    guessed = running.query_rows("streams/spread", {"every": EVERY, "mask": EVERY - 1})
     if not guessed or not all(row["together"] for row in guessed) or not _are_named(guessed):
         return None
     (rows,) = {row["rows_in_all"] for row in guessed}
     if len(guessed) > MOST_CHANNELS or rows < STREAMED_FROM * len(guessed):
         return None
-    found = _one_by_one(running, guessed, is_proven)
-    if _rows(found) == rows:
-        return found
-    found = running.session.fetch(running.steps.query("names", running.placed))
+    counts = _channel_counts(running, guessed, is_proven)
+    if _rows(counts) == rows:
+        return counts
+    counts = running.session.fetch(running.steps.query("names", running.tables))
     if is_proven:
-        rows, known = _rows(found), found.select(_NAMES).to_pylist()
-        if not _are_named(known):
+        rows, names = _rows(counts), counts.select(_NAMES).to_pylist()
+        if not _are_named(names):
             return None
-        found = _one_by_one(running, known, is_proven)
-        return found if _rows(found) == rows else None
-    return found
+        counts = _channel_counts(running, names, is_proven)
+        return counts if _rows(counts) == rows else None
+    return counts
 
 
-def _one_by_one(running: Running, names: Iterable[Row], is_proven: bool) -> pa.Table:
+def _channel_counts(running: Running, names: Iterable[Row], is_proven: bool) -> pa.Table:
     """Return the counts of some channels."""
     proof = [exp.alias_(template.fill("streams/in_order"), "in_order")] if is_proven else []
-    channels = [{one: template.text(row[one]) for one in _NAMES} for row in names]
+    channels = [{column: template.text(row[column]) for column in _NAMES} for row in names]
     make = partial(of_channel, "names", proof=proof)
     return running.session.fetch(of_each(running, "named", make, channels, labels=_NAMES))
 
 
 def _are_named(names: Iterable[Row]) -> bool:
     """Tell whether no name is missing: rows without one are counted by a grouping only."""
-    return all(row[one] is not None for row in names for one in _NAMES)
+    return all(row[column] is not None for row in names for column in _NAMES)
 
 
 def _rows(names: pa.Table) -> int:

@@ -10,7 +10,7 @@ from gam_db.engines.session import Row
 from gam_db.method import Method
 from gam_db.method.ranges import ROUNDS, counts_of, is_robust, piece
 from gam_db.study.running import Running
-from gam_db.study.streamed import of_channel, own
+from gam_db.study.streamed import channel_slots, of_channel
 
 
 def narrow(
@@ -27,9 +27,10 @@ def narrow(
     if not is_robust(method.settings[number]):
         return
     members = [row for row in running.rows("channels") if row["channel_id"] in pieces]
-    for one in range(1, ROUNDS + 1):
+    for round_no in range(1, ROUNDS + 1):
         before, counts, after = (
-            method.named(of, number) for of in (f"range_{one - 1}", counts_of(one), f"range_{one}")
+            method.named(of, number)
+            for of in (f"range_{round_no - 1}", counts_of(round_no), f"range_{round_no}")
         )
         ranges = {row["support_id"]: row for row in running.rows(before)}
         parts = []
@@ -37,7 +38,7 @@ def narrow(
             if (of := ranges.get(row["support_id"])) is not None:
                 times = {name: pieces[row["channel_id"]][name] for name in ("time_from", "time_to")}
                 left = {name: of[name] for name in ("support_id", "lo", "hi", "allowed")}
-                parts.append(own(row, **times, **left))
+                parts.append(channel_slots(row, **times, **left))
         if not parts:
             return
         give(counts, partial(of_channel, "range_counts", piece=piece()), parts, "support_id")

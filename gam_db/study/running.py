@@ -59,7 +59,7 @@ class Running:
     Args:
         session: an open session; the caller closes it.
         steps: the pipeline.
-        given: tables that stand for steps, or for what steps read from elsewhere.
+        tables: tables that stand for steps, or for what steps read from elsewhere.
         on_step: called with the name of each step before it is run.
     """
 
@@ -67,14 +67,14 @@ class Running:
         self,
         session: Session,
         steps: Pipeline,
-        given: Mapping[str, exp.Table] | None = None,
+        tables: Mapping[str, exp.Table] | None = None,
         on_step: Listener = unheard,
     ) -> None:
         self.session = session
         self.steps = steps
-        self.placed: dict[str, exp.Table] = dict(given or {})
+        self.tables: dict[str, exp.Table] = dict(tables or {})
         self.on_step = on_step
-        self._kept: dict[str, exp.Table] = {}
+        self._materialized: dict[str, exp.Table] = {}
 
     def __enter__(self) -> Self:
         return self
@@ -104,13 +104,13 @@ class Running:
         """
         self.steps, answers = plan.steps, dict[str, list[Row]]()
         for name, kind, into, failure, is_input in plan.statements:
-            is_there = name in self.placed or (is_input and self._is_spared(name, plan))
+            is_there = name in self.tables or (is_input and self._is_spared(name, plan))
             if kind is Kind.QUERY or (kind is Kind.TABLE and is_there):
                 continue
             if (query := (queries or {}).get(name)) is None:
-                query = self.steps.query(name, self.placed)
+                query = self.steps.query(name, self.tables)
             else:
-                place(query := query.copy(), self.placed)
+                place(query := query.copy(), self.tables)
             if kind is Kind.TABLE:
                 self.put(name, query)
             elif kind is Kind.ANSWER:
@@ -129,19 +129,19 @@ class Running:
 
     def _is_spared(self, name: str, plan: Plan) -> bool:
         """Tell whether nobody reads an input any more, since a round before had no row."""
-        if not any(step in self._kept for step in self.steps.rounds):
+        if not any(step in self._materialized for step in self.steps.rounds):
             return False
         ends = [statement.name for statement in plan.statements if not statement.is_input]
-        return all(step.name != name for step in self.steps.needed(ends, self.placed.keys()))
+        return all(step.name != name for step in self.steps.needed(ends, self.tables.keys()))
 
     def query(self, step: str) -> exp.Query:
         """Return the query of a step; the small steps before it are kept for the next one."""
         self.prepare(step)
-        return self.steps.query(step, self.placed)
+        return self.steps.query(step, self.tables)
 
     def prepare(self, step: str) -> None:
         """Keep the small steps before a step."""
-        self.execute(Plan.of(self.steps, [Statement(step, Kind.QUERY)], self.placed))
+        self.execute(Plan.of(self.steps, [Statement(step, Kind.QUERY)], self.tables))
 
     def table(self, step: str) -> pa.Table:
         """Return the rows of a step."""
@@ -155,17 +155,19 @@ class Running:
         self.on_step(step)
         return self.session.rows(query)
 
-    def asked(self, path: str, slots: Slots | None = None, tables: Tables | None = None) -> list[Row]:
+    def query_rows(
+        self, path: str, slots: Slots | None = None, tables: Tables | None = None
+    ) -> list[Row]:
         """Return the rows of a file of ``sql/`` over the steps, none of which it becomes."""
         steps, name = self.steps.copied(), path.rpartition("/")[2]
         steps.fill(name, path, slots, tables)
-        return self.session.rows(steps.query(name, self.placed))
+        return self.session.rows(steps.query(name, self.tables))
 
     def largest(self, step: str, column: str) -> Any:
         """Return the largest value of a column of a step, which is kept."""
         self.keep(step)
         largest = exp.select(exp.Max(this=exp.column(column)).as_("marked"))
-        return self.session.rows(largest.from_(self.placed[step].copy()))[0]["marked"]
+        return self.session.rows(largest.from_(self.tables[step].copy()))[0]["marked"]
 
     def write(self, step: str, path: Path, table: str) -> None:
         """Write the rows of a step as Parquet, or as a table of a DuckDB file."""
@@ -175,49 +177,49 @@ class Running:
 
     def keep(self, step: str) -> None:
         """Keep a step as a table, and the small ones that it needs."""
-        self.execute(Plan.of(self.steps, [Statement(step)], self.placed))
+        self.execute(Plan.of(self.steps, [Statement(step)], self.tables))
 
     def put(self, step: str, query: exp.Query) -> None:
         """Keep the rows of a query as the table of a step."""
         self.on_step(step)
-        before = self._kept.get(step)
-        self._kept[step] = self.placed[step] = self.session.keep(step, query)
+        before = self._materialized.get(step)
+        self._materialized[step] = self.tables[step] = self.session.keep(step, query)
         if before is not None:
             self.session.forget(before)
         if later := self.steps.rounds.get(step):
-            counted = exp.select(exp.Count(this=exp.Star()).as_("rows")).from_(self.placed[step].copy())
+            counted = exp.select(exp.Count(this=exp.Star()).as_("rows")).from_(self.tables[step].copy())
             if not self.session.rows(counted)[0]["rows"]:
-                self.placed.update(dict.fromkeys(later, self.placed[step]))
+                self.tables.update(dict.fromkeys(later, self.tables[step]))
 
     def make(self, path: str, slots: Slots, step: str | None = None) -> None:
         """Keep the rows of a file of ``sql/`` over the tables there are, as a step, that of its name."""
         query = filled(path, slots)
-        place(query, self.placed)
+        place(query, self.tables)
         self.put(step or path.rpartition("/")[2], query)
 
     def load(self, step: str, rows: pa.Table) -> None:
         """Let an Arrow table be the table of a step, instead of what was so before."""
-        if step in self._kept:
-            self.session.forget(self._kept[step])
-        self._kept[step] = self.placed[step] = self.session.load(rows)
+        if step in self._materialized:
+            self.session.forget(self._materialized[step])
+        self._materialized[step] = self.tables[step] = self.session.load(rows)
 
     def drop(self, step: str) -> None:
         """Drop the table of a step, which is made anew when it is asked for."""
-        table = self._kept.pop(step)
+        table = self._materialized.pop(step)
         self.session.forget(table)
-        for name in [name for name, of in self.placed.items() if of is table]:
-            del self.placed[name]
+        for name in [name for name, of in self.tables.items() if of is table]:
+            del self.tables[name]
 
     def release(self, step: str) -> exp.Table:
         """Return the table of a step, which the caller drops; asked for again, the step is made anew."""
-        del self.placed[step]
-        return self._kept.pop(step)
+        del self.tables[step]
+        return self._materialized.pop(step)
 
-    def kept(self, but: Container[str] = ()) -> list[str]:
+    def materialized(self, but: Container[str] = ()) -> list[str]:
         """Return the steps that are kept, but some."""
-        return [step for step in self._kept if step not in but]
+        return [step for step in self._materialized if step not in but]
 
     def forget(self, but: Container[str] = ()) -> None:
         """Drop the tables that were kept, but those of some steps."""
-        for step in self.kept(but):
+        for step in self.materialized(but):
             self.drop(step)

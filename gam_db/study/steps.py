@@ -66,7 +66,7 @@ def filled(
     """
     kind, bits = method.kind, engine.bits if has_bits else None
     rows = engine.readings(source, relation, kind, until=until)
-    said = method, rows, lambda node: engine.instant_of(kind, node)
+    arguments = method, rows, lambda node: engine.instant_of(kind, node)
     if slicing is not None:
-        return trusting_pipeline(*said, slicing, bits, ways)
-    return pipeline(*said, bits)
+        return trusting_pipeline(*arguments, slicing, bits, ways)
+    return pipeline(*arguments, bits)

@@ -37,10 +37,12 @@ _OF_VISITS = {
 }
 
 #: The slots of one channel.
-Own = Mapping[str, int | float | exp.Expr | None]
+ChannelSlots = Mapping[str, int | float | exp.Expr | None]
 
 
-def own(row: Row, **slots: int | float | exp.Expr | None) -> dict[str, int | float | exp.Expr | None]:
+def channel_slots(
+    row: Row, **slots: int | float | exp.Expr | None
+) -> dict[str, int | float | exp.Expr | None]:
     """Return the slots of one channel: its number, its names, and others."""
     names = {name: template.text(row[name]) for name in ("asset", "channel")}
     return {"channel_id": row["channel_id"], **names, **slots}
@@ -54,8 +56,8 @@ def range_of(bounds: Row) -> dict[str, float]:
 def of_each(
     running: Running,
     step: str,
-    make: Callable[[Own], exp.Query],
-    channels: Sequence[Own],
+    make: Callable[[ChannelSlots], exp.Query],
+    channels: Sequence[ChannelSlots],
     tables: Mapping[str, str] | None = None,
     labels: Sequence[str] = (),
 ) -> exp.Query:
@@ -65,27 +67,33 @@ def of_each(
     ``labels`` become the first columns, and tables are those of :meth:`Pipeline.add`. The session, of
     an engine with macros, keeps this one until another is made for the step.
     """
-    said = _free_names(running.steps, channels[0])
+    free_names = _free_names(running.steps, channels[0])
     steps = running.steps.copied()
-    steps.add("of_channel", make({slot: exp.column(name) for slot, name in said.items()}), tables=tables)
-    query = steps.query("of_channel", running.placed)
-    macro = running.session.define(step, query, list(said.values()))
+    steps.add(
+        "of_channel", make({slot: exp.column(name) for slot, name in free_names.items()}), tables=tables
+    )
+    query = steps.query("of_channel", running.tables)
+    macro = running.session.define(step, query, list(free_names.values()))
     columns = [exp.column(name) for name in query.named_selects]
     calls = []
     for slots in channels:
-        arguments = [template.node_of(slots[slot]) for slot in said]
+        arguments = [template.node_of(slots[slot]) for slot in free_names]
         called = exp.Table(this=exp.Anonymous(this=macro, expressions=arguments))
-        calls.append(exp.select(*(_label(one, slots[one]) for one in labels), *columns).from_(called))
+        calls.append(
+            exp.select(*(_label(label, slots[label]) for label in labels), *columns).from_(called)
+        )
     return stacked(calls, running.session.threads())
 
 
-def of_channel(file: str, own: Own, **slots: template.Slot) -> exp.Query:
+def of_channel(file: str, channel: ChannelSlots, **slots: template.Slot) -> exp.Query:
     """Return a file of ``sql/streams`` that speaks of one channel, with those of its slots it has."""
-    asked = template.load(f"streams/{file}").slots
-    return filled(f"streams/{file}", {**{name: own[name] for name in own.keys() & asked}, **slots})
+    file_slots = template.load(f"streams/{file}").slots
+    return filled(
+        f"streams/{file}", {**{name: channel[name] for name in channel.keys() & file_slots}, **slots}
+    )
 
 
-def visits(own: Own, setting: Parameters, has_blocks: bool, stream: Stream) -> exp.Query:
+def visits(channel: ChannelSlots, setting: Parameters, has_blocks: bool, stream: Stream) -> exp.Query:
     """Return the cells of the calibration of one channel, in blocks or not.
 
     Its own slots are those of the channel, and ``lo``, ``hi``, ``time_from``, ``time_to``; with blocks
@@ -93,20 +101,20 @@ def visits(own: Own, setting: Parameters, has_blocks: bool, stream: Stream) -> e
     """
     slots = counted_slots(setting, stream)
     if has_blocks:
-        slots["block_no"] = block_no(setting, template.node_of(own["vectors"]))
-        return of_vectors("visits", own, setting, stream, **slots)
+        slots["block_no"] = block_no(setting, template.node_of(channel["vectors"]))
+        return of_vectors("visits", channel, setting, stream, **slots)
     del slots["number"]
-    learnable = of_vectors("learnable", own, setting, stream, **slots)
+    learnable = of_vectors("learnable", channel, setting, stream, **slots)
     return _over(filled("census/taught"), "learnable", learnable)
 
 
-def taught(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
+def taught(channel: ChannelSlots, setting: Parameters, stream: Stream) -> exp.Query:
     """Return how many vectors the calibration of one channel teaches."""
     counted = counted_slots(setting, stream)["counted"]
-    return of_vectors("taught", own, setting, stream, counted=counted)
+    return of_vectors("taught", channel, setting, stream, counted=counted)
 
 
-def probed(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
+def probed(channel: ChannelSlots, setting: Parameters, stream: Stream) -> exp.Query:
     """Return the picked vectors of the calibration of one channel: the step *probed*.
 
     Its own slots are those of :func:`visits` with blocks, and ``taught``, how many vectors its support
@@ -115,24 +123,32 @@ def probed(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
     delays = probed_delays(setting)
     slots = counted_slots(setting, stream)
     slots |= {
-        "block_no": block_no(setting, template.node_of(own["vectors"])),
+        "block_no": block_no(setting, template.node_of(channel["vectors"])),
         "picked": template.fill("probe/is_picked"),
         "samples": [exp.column(f"x_{delay}") for delay in delays],
     }
     return _over(
-        of_channel("probed", own, **slots), "streamed", _vectors(own, setting, False, stream, delays)
+        of_channel("probed", channel, **slots),
+        "streamed",
+        _vectors(channel, setting, False, stream, delays),
     )
 
 
 def of_vectors(
-    file: str, own: Own, setting: Parameters, stream: Stream, **slots: template.Slot
+    file: str, channel: ChannelSlots, setting: Parameters, stream: Stream, **slots: template.Slot
 ) -> exp.Query:
     """Return a file of ``sql/streams`` that speaks of the vectors of one channel."""
-    return _over(of_channel(file, own, **slots), "streamed", _vectors(own, setting, False, stream))
+    return _over(
+        of_channel(file, channel, **slots), "streamed", _vectors(channel, setting, False, stream)
+    )
 
 
 def scored(
-    own: Own, setting: Parameters, bits: Bits, stream: Stream, ends: Mapping[str, str] | None = None
+    channel: ChannelSlots,
+    setting: Parameters,
+    bits: Bits,
+    stream: Stream,
+    ends: Mapping[str, str] | None = None,
 ) -> exp.Query:
     """Return the scored vectors of one channel, grouped: the step *visited*.
 
@@ -141,33 +157,33 @@ def scored(
     :func:`gam_db.method.scoring.add_buckets`.
     """
     grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
-    placed = _placed(own, setting, bits, stream, list(ends or ()))
-    return _over(filled("health/visited", grouped), "placed", placed)
+    vectors = _scored_vectors(channel, setting, bits, stream, list(ends or ()))
+    return _over(filled("health/visited", grouped), "placed", vectors)
 
 
-def one_by_one(own: Own, setting: Parameters, bits: Bits, stream: Stream) -> exp.Query:
+def window_counts(channel: ChannelSlots, setting: Parameters, bits: Bits, stream: Stream) -> exp.Query:
     """Return the same vectors with their running counts: the step *window_counts*.
 
     Arguments as for :func:`scored`; the slots have ``context_rows``, too.
     """
-    placed = _placed(own, setting, bits, stream, ["position"])
-    running = of_channel("running", own, outside=is_outside(setting), span=setting.span)
+    vectors = _scored_vectors(channel, setting, bits, stream, ["position"])
+    running = of_channel("running", channel, outside=is_outside(setting), span=setting.span)
     before = novel_before(setting, "streams/delayed")
     counts = filled("health/window_counts", {"window": setting.window, "novel_before": before})
-    return _over(counts, "numbered", _over(running, "placed", placed))
+    return _over(counts, "numbered", _over(running, "placed", vectors))
 
 
-def still_since(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
+def still_since(channel: ChannelSlots, setting: Parameters, stream: Stream) -> exp.Query:
     """Return since when one channel stands still at its end: the step *stillness*.
 
     Arguments as for :func:`scored`.
     """
-    stillness = of_channel("stillness", own, long_ago=LONG_AGO)
-    return _over(stillness, "moving_codes", _codes(own, setting, stream))
+    stillness = of_channel("stillness", channel, long_ago=LONG_AGO)
+    return _over(stillness, "moving_codes", _codes(channel, setting, stream))
 
 
-def _placed(
-    own: Own, setting: Parameters, bits: Bits, stream: Stream, carried: Sequence[str]
+def _scored_vectors(
+    channel: ChannelSlots, setting: Parameters, bits: Bits, stream: Stream, carried: Sequence[str]
 ) -> exp.Query:
     """Return the scored vectors of one channel, which carry some of their columns."""
     slots: dict[str, template.Slot] = {
@@ -178,25 +194,31 @@ def _placed(
     # Where every vector counts, samples of the run-up have numbers that are none.
     slots["counted"] = exp.true()
     if not stream.is_even:
-        first = template.fill("streams/scored", {"first_scored": own["first_scored"]})
+        first = template.fill("streams/scored", {"first_scored": channel["first_scored"]})
         slots["counted"] = exp.and_(template.fill("streams/counts"), first)
-    vectors = _vectors(own, setting, "context_time" in carried, stream)
-    return _over(of_channel("placed", own, **slots), "streamed", vectors)
+    vectors = _vectors(channel, setting, "context_time" in carried, stream)
+    return _over(of_channel("placed", channel, **slots), "streamed", vectors)
 
 
 def _vectors(
-    own: Own, setting: Parameters, has_context: bool, stream: Stream, delays: tuple[int, ...] = ()
+    channel: ChannelSlots,
+    setting: Parameters,
+    has_context: bool,
+    stream: Stream,
+    delays: tuple[int, ...] = (),
 ) -> exp.Query:
     """Return the vectors of one channel (Eq. 1), with samples so many before the newest one."""
     slots = stream_slots(setting, has_context, stream, delays)
-    codes = _codes(own, setting, stream, has_values=bool(delays))
-    return _over(of_channel("vectors", own, **slots), "codes", codes)
+    codes = _codes(channel, setting, stream, has_values=bool(delays))
+    return _over(of_channel("vectors", channel, **slots), "codes", codes)
 
 
-def _codes(own: Own, setting: Parameters, stream: Stream, has_values: bool = False) -> exp.Query:
+def _codes(
+    channel: ChannelSlots, setting: Parameters, stream: Stream, has_values: bool = False
+) -> exp.Query:
     """Return the codes of one channel; where samples may stand still, with which ones do."""
     values = [exp.column("value")] * has_values
-    codes = of_channel("codes", own, **stream_codes(setting, stream, has_values))
+    codes = of_channel("codes", channel, **stream_codes(setting, stream, has_values))
     if setting.still_after is not None:
         breaking = None if stream.gap is None else exp.column("breaking")
         slots = movement(setting.still_after, values, breaking, rows=1)
@@ -215,7 +237,7 @@ def read_off_visits(
     reads |= dict.fromkeys(("learnable", "vectors"), reads["visits"])
     besides = {name: template.fill(f"streams/{name}") for name in ("second_place", "opening_visits")}
     of_cells: dict[str, template.Slot] = {
-        "gathered": [exp.alias_(one, name) for name, one in besides.items()],
+        "gathered": [exp.alias_(node, name) for name, node in besides.items()],
         "carried": [exp.column(name, table="seen") for name in besides],
     }
     for step, file in _OF_VISITS.items():
@@ -230,14 +252,16 @@ def are_whole(running: Running, visits: str, expected: Mapping[int, int]) -> boo
 
     Expected are the vectors of each channel that has one.
     """
-    rows = running.asked("streams/visited_vectors", tables={"visits": visits})
-    found = {row["channel_id"]: row["vectors"] for row in rows}
-    return found == expected and not any(row["doubled"] for row in rows)
+    rows = running.query_rows("streams/visited_vectors", tables={"visits": visits})
+    vectors = {row["channel_id"]: row["vectors"] for row in rows}
+    return vectors == expected and not any(row["doubled"] for row in rows)
 
 
 def _free_names(steps: Pipeline, slots: Iterable[str]) -> dict[str, str]:
     """Return the parameters of some slots: names that no column of the user's has."""
-    taken = {one.name.lower() for one in steps.steps["readings"].query.find_all(exp.Identifier)}
+    taken = {
+        identifier.name.lower() for identifier in steps.steps["readings"].query.find_all(exp.Identifier)
+    }
     prefix = "asked_"
     while any(name.startswith(prefix) for name in taken):
         prefix += "_"

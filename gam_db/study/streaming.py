@@ -23,7 +23,7 @@ from gam_db.method.vectors import Stream
 from gam_db.study import naming, streamed
 from gam_db.study.narrowing import narrow
 from gam_db.study.running import RepeatedError, Running
-from gam_db.study.streamed import Own, of_channel, of_each, own, range_of
+from gam_db.study.streamed import ChannelSlots, channel_slots, of_channel, of_each, range_of
 
 #: The steps that streams give: the cells of calibration, block by block, and supports, then the scored
 #: vectors, grouped, and one by one; since when channels stand still; or, where no vectors are asked for,
@@ -31,7 +31,7 @@ from gam_db.study.streamed import Own, of_channel, of_each, own, range_of
 LEARNING, SCORING, SINGLE = ("visits", "support"), ("visited",), ("window_counts",)
 PROBING, ENDING, RUN_UP = ("probed",), ("stillness",), ("run_up",)
 
-Make = Callable[[Own], exp.Query]
+Make = Callable[[ChannelSlots], exp.Query]
 
 
 class Streams:
@@ -56,7 +56,7 @@ class Streams:
         self._sorting: dict[str, Step] = {}
         self._done: set[tuple[str, ...]] = set()
         self._reached: dict[int, dict[str, int]] = {}
-        self._taught: dict[int, tuple[Stream, list[Own]]] = {}
+        self._taught: dict[int, tuple[Stream, list[ChannelSlots]]] = {}
 
     @property
     def has_begun(self) -> bool:
@@ -82,12 +82,14 @@ class Streams:
             *((SINGLE, self._count_on), (ENDING, self._stand), (RUN_UP, self._reach_back)),
         )
         for part, give in giving:
-            needed = {one.name for one in steps.needed([step], self.running.placed)}
-            given = {method.named(one, number) for one in part for number in range(len(method.settings))}
+            needed = {needed_step.name for needed_step in steps.needed([step], self.running.tables)}
+            outputs = {
+                method.named(name, number) for name in part for number in range(len(method.settings))
+            }
             # What calibration gives is proven of all rows only when the scored ones are made, too.
             is_proof = part == SCORING and LEARNING in self._done and not self.is_proven
-            asked = part not in self._done and (is_proof or bool(needed & given))
-            if asked and (part == LEARNING or LEARNING in self._done):
+            is_due = part not in self._done and (is_proof or bool(needed & outputs))
+            if is_due and (part == LEARNING or LEARNING in self._done):
                 self._done.add(part)
                 if not give():
                     self._restore()
@@ -112,13 +114,13 @@ class Streams:
             before = max(quota - self._reach(row), 0)
             first = earliest[name_of(row)]
             figures = {"samples": row["readings"], "first_time": first}
-            series.append(own(row, before=before, asked=quota - before, **figures))
+            series.append(channel_slots(row, before=before, asked=quota - before, **figures))
         self._give("series", partial(of_channel, "series"), series, "channel_id")
         self._replace("timeline", filled("census/trusted_timeline"), {"cohort": "channels"})
         reached = {row["channel_id"]: row["read_from"] for row in running.rows("series")}
         pieces = {row["channel_id"]: row for row in running.rows("calibration")}
         calibrated = [
-            own(row, **_times(pieces[id_]), read_from=reached[id_])
+            channel_slots(row, **_times(pieces[id_]), read_from=reached[id_])
             for row in channels
             if (id_ := row["channel_id"]) in pieces
         ]
@@ -130,9 +132,9 @@ class Streams:
         )
         seen = {row["channel_id"]: row for row in running.rows("calibrated")}
         for row in channels:
-            quota, found = quotas[row["channel_id"]], seen.get(row["channel_id"], _UNSEEN)
+            quota, counts = quotas[row["channel_id"]], seen.get(row["channel_id"], _UNSEEN)
             context = min(self._reach(row), quota)
-            if quota and (found["calibration_samples"], found["context_samples"]) != (quota, context):
+            if quota and (counts["calibration_samples"], counts["context_samples"]) != (quota, context):
                 return False
         self._reached = {
             id_: {"read_from": time, "context_rows": seen[id_]["context_samples"]}
@@ -149,13 +151,13 @@ class Streams:
             members = [row for row in channels if row["channel_id"] in bounds.keys() & seen.keys()]
             if not members:
                 continue
-            exact = [own(row, **range_of(bounds[row["channel_id"]])) for row in members]
-            asked = partial(of_channel, "exact")
+            exact = [channel_slots(row, **range_of(bounds[row["channel_id"]])) for row in members]
+            make = partial(of_channel, "exact")
             named = self.method.named("bounds", number)
-            if not all(row["is_exact"] for row in self._asked(asked, exact, bounds=named)):
+            if not all(row["is_exact"] for row in self._rows_of_each(make, exact, bounds=named)):
                 return False
             parts = {
-                id_: own(row, **range_of(bounds[id_]), **_times(pieces[id_]))
+                id_: channel_slots(row, **range_of(bounds[id_]), **_times(pieces[id_]))
                 for row in members
                 for id_ in (row["channel_id"],)
             }
@@ -193,14 +195,14 @@ class Streams:
                 self._give(probed, make, parts, block_sizes=sizes)
         return True
 
-    def _counted(self, parts: Sequence[Own], number: int, stream: Stream) -> dict[int, int]:
+    def _counted(self, parts: Sequence[ChannelSlots], number: int, stream: Stream) -> dict[int, int]:
         """Return how many vectors the calibration of each channel of one set teaches."""
         make = partial(streamed.taught, setting=self.method.settings[number], stream=stream)
-        rows = self._asked(make, parts)
+        rows = self._rows_of_each(make, parts)
         return {row["channel_id"]: row["vectors"] for row in rows}
 
     def _teach(
-        self, cells: Sequence[Own], number: int, expected: Mapping[int, int], stream: Stream
+        self, cells: Sequence[ChannelSlots], number: int, expected: Mapping[int, int], stream: Stream
     ) -> bool:
         """Give the cells of calibration of one set; tell whether they are those of vectors in order."""
         visits, support, bounds = (
@@ -219,13 +221,15 @@ class Streams:
         stands = setting.still_after is not None
         read = {"lo": 0.0, "hi": 0.0, "time_from": LONG_AGO, "time_to": FAR_AHEAD}
         mine = (row for row in self.running.rows("channels") if row["settings_no"] == number)
-        lacking = [own(row, **read) for row in mine if row["missing_readings"] or stands]
-        for made in streamed.read_off_visits(self.method, number, bool(lacking)):
-            self._replace(*made)
+        lacking = [channel_slots(row, **read) for row in mine if row["missing_readings"] or stands]
+        for replacement in streamed.read_off_visits(self.method, number, bool(lacking)):
+            self._replace(*replacement)
         if lacking:
             missing = self.method.named("missing_vectors", number)
-            asked = partial(streamed.of_vectors, "missing_vectors", setting=setting, stream=stream)
-            self._replace(missing, self._of_each(missing, asked, lacking, "channel_id"))
+            make_missing = partial(
+                streamed.of_vectors, "missing_vectors", setting=setting, stream=stream
+            )
+            self._replace(missing, self._of_each(missing, make_missing, lacking, "channel_id"))
         wanted = {id_: vectors for id_, vectors in expected.items() if vectors}
         return streamed.are_whole(self.running, visits, wanted)
 
@@ -253,7 +257,7 @@ class Streams:
             held, counts = (self.method.named(step, number) for step in ("support_bits", *SINGLE))
             if parts := self._scored(number):
                 stream = self._streams[number]
-                make = partial(streamed.one_by_one, setting=setting, bits=self._bits, stream=stream)
+                make = partial(streamed.window_counts, setting=setting, bits=self._bits, stream=stream)
                 self._replace(counts, self._of_each(counts, make, parts, support_bits=held))
         return True
 
@@ -274,12 +278,12 @@ class Streams:
         assert bits is not None
         return bits
 
-    def _scored(self, number: int) -> list[Own]:
+    def _scored(self, number: int) -> list[ChannelSlots]:
         """Return the slots of the channels of one set that are scored."""
         bounds = self._bounds(number)
         members = {row["channel_id"]: row for row in self.running.rows("channels")}
         return [
-            own(
+            channel_slots(
                 members[id_],
                 **range_of(bounds[id_]),
                 support_id=members[id_]["support_id"],
@@ -298,23 +302,26 @@ class Streams:
         for number in range(len(self.method.settings)):
             bounds = self._bounds(number)
             members = [row for row in channels if row["channel_id"] in bounds]
-            found = table_of(self._run_up(members, number, bounds), _RUN_UP)
-            self.running.load(self.method.named("run_up", number), found)
+            run_up = table_of(self._run_up(members, number, bounds), _RUN_UP)
+            self.running.load(self.method.named("run_up", number), run_up)
         return True
 
     def _run_up(self, members: Sequence[Row], number: int, bounds: Mapping[int, Row]) -> list[Row]:
         """Return the run-up of some channels: what calibration has found of it, else a look."""
         span = self.method.settings[number].reach
-        known = self._reached if span else {}
-        reached = dict(known)
-        unknown = [row for row in members if row["channel_id"] not in known]
+        learnt = self._reached if span else {}
+        reached = dict(learnt)
+        unknown = [row for row in members if row["channel_id"] not in learnt]
         if unknown:
-            asked = [own(row, first_scored=bounds[row["channel_id"]]["first_scored"]) for row in unknown]
-            for row in self._asked(partial(of_channel, "run_up", span=span), asked):
+            slots = [
+                channel_slots(row, first_scored=bounds[row["channel_id"]]["first_scored"])
+                for row in unknown
+            ]
+            for row in self._rows_of_each(partial(of_channel, "run_up", span=span), slots):
                 first = bounds[row["channel_id"]]["first_scored"]
                 read_from = first if row["earliest"] is None else row["earliest"]
-                found = {"read_from": read_from, "context_rows": row["context_rows"]}
-                reached[row["channel_id"]] = found
+                begin = {"read_from": read_from, "context_rows": row["context_rows"]}
+                reached[row["channel_id"]] = begin
         return [
             {
                 "channel_id": id_,
@@ -336,20 +343,22 @@ class Streams:
         return max(self.method.settings[row["settings_no"]].reach, 1)
 
     def _of_each(
-        self, step: str, make: Make, channels: Sequence[Own], *labels: str, **tables: str
+        self, step: str, make: Make, channels: Sequence[ChannelSlots], *labels: str, **tables: str
     ) -> exp.Query:
         """Return what is asked of each of some channels."""
         return of_each(self.running, step, make, channels, tables, labels)
 
-    def _asked(self, make: Make, channels: Sequence[Own], **tables: str) -> list[Row]:
+    def _rows_of_each(self, make: Make, channels: Sequence[ChannelSlots], **tables: str) -> list[Row]:
         """Ask it."""
-        asked = self._of_each("asked", make, channels, "channel_id", **tables)
-        return self.running.session.rows(asked)
+        query = self._of_each("asked", make, channels, "channel_id", **tables)
+        return self.running.session.rows(query)
 
-    def _give(self, step: str, make: Make, channels: Sequence[Own], *labels: str, **tables: str) -> None:
+    def _give(
+        self, step: str, make: Make, channels: Sequence[ChannelSlots], *labels: str, **tables: str
+    ) -> None:
         """Keep what is asked of each of some channels as a step, in the place of what it was."""
         self._replace(step, self._of_each(step, make, channels, *labels, **tables))
-        self.running.forget(but=self.running.placed.keys() - {step})
+        self.running.forget(but=self.running.tables.keys() - {step})
         self.running.keep(step)
 
     def _replace(self, step: str, query: exp.Query, tables: Mapping[str, str] | None = None) -> None:

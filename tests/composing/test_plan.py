@@ -55,4 +55,4 @@ def test_the_loop_answers_and_stops_at_a_row_of_a_verify() -> None:
         none = parse_one("SELECT n FROM squares WHERE n > 9", dialect="duckdb")
         answers = running.execute(Plan.of(steps(), [failing, answer]), {"large": none})  # type: ignore[dict-item]
         assert answers == {"total": [{"n": 5}]}
-        assert running.kept() == ["squares"]
+        assert running.materialized() == ["squares"]

@@ -316,7 +316,7 @@ def test_an_incremental_run_reads_its_range_only(session: Session) -> None:
     )
     cohort = pa.table({"channel_id": [5], "version_id": [5], "first_bucket": [9950]})
     with session.lent(cohort) as lent:
-        place(asked, {**monitor.state.tables.placed(), "cohort": lent})
+        place(asked, {**monitor.state.tables.nodes(), "cohort": lent})
         before = marks(session)
         assert session.fetch(asked).num_rows == 50
         assert marks(session) - before <= 6, "of 312, and the runs"

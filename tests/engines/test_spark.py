@@ -249,7 +249,7 @@ def test_a_run_reads_its_range_only(spark: Session, tmp_path: Path) -> None:
     )
     cohort = pa.table({"channel_id": [3], "version_id": [3], "first_bucket": [900]})
     with spark.lent(cohort) as lent:
-        place(past, {**tables.placed(), "cohort": lent})
+        place(past, {**tables.nodes(), "cohort": lent})
         assert "EqualTo(version_id,3), GreaterThanOrEqual(bucket_no" in explained(spark, past)
     assert "EqualTo(version_id,3), GreaterThan(last_time,7)" in plan
 

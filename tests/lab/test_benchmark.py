@@ -19,7 +19,7 @@ from gam_db.errors import ConfigurationError, InternalError
 from gam_db.lab.benchmark import alone, equal, extract, inside, workload
 from gam_db.lab.benchmark.cli import benchmark
 from gam_db.lab.benchmark.measure import RATIOS, Plan, measure
-from gam_db.lab.benchmark.one_run import PROGRAMS
+from gam_db.lab.benchmark.program_run import PROGRAMS
 
 pytestmark = pytest.mark.thorough
 

@@ -33,7 +33,7 @@ from gam_db.method.adding import add
 from gam_db.method.alarms import add_backtested, add_judgements, add_learnt_limits, add_replay
 from gam_db.method.automatic import DELAYS, scoring
 from gam_db.method.census import Slicing
-from gam_db.method.delays import KEPT, STORED, Ways
+from gam_db.method.delays import SET_STEPS, STORED, Ways
 from gam_db.method.judgement import add_judged, add_standing
 from gam_db.selection.budget import add_budget, add_results
 from gam_db.selection.lags import add_delays, add_samples
@@ -569,7 +569,7 @@ PIPELINES: list[tuple[gam_db.Parameters, gam_db.Calibration, Source | WideSource
 
 def trusting_steps(source: Source | WideSource, is_cut: bool = False) -> list[tuple[str, exp.Query]]:
     """The same of the census, which expects each instant once."""
-    return trusting_in(Ways(asked=frozenset(["bucket_health"]), is_cut=is_cut), source)
+    return trusting_in(Ways(targets=frozenset(["bucket_health"]), is_cut=is_cut), source)
 
 
 def trusting_in(
@@ -861,7 +861,7 @@ def stream_once() -> None:
         told = ((CALIBRATIONS[0], ()), (CALIBRATIONS[0], HEALTH), (gam_db.Calibration(duration=9), ()))
         for calibration, asked in told:
             given = source, gam_db.Parameters(), calibration
-            study = Study(session, *given, short_cuts=True, asked=asked)
+            study = Study(session, *given, short_cuts=True, targets=asked)
             study.table("bucket_health")
             study.query("health_indicator")
             assert study.form == "streams"
@@ -923,9 +923,9 @@ def test_every_file_is_used() -> None:
             steps(*arguments)
         for body in (None, *STORED):
             filled_steps(opening_pipeline(exp.select("*"), Slicing.of(0, 9), Ways(body)))
-        for body in (None, *KEPT):
+        for body in (None, *SET_STEPS):
             for is_cut in (False, True):
-                trusting_in(Ways(body, True, asked=frozenset(["bucket_health"]), is_cut=is_cut))
+                trusting_in(Ways(body, True, targets=frozenset(["bucket_health"]), is_cut=is_cut))
         trusting_in(Ways(has_room=True), parameters=PARAMETERS[2])
         ENGINE.readings(
             WideSource("telemetry", channels=["value"] * 99), exp.to_table("t"), TimeKind.COUNTER

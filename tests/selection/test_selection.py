@@ -125,7 +125,7 @@ def test_curves_and_choices_are_those_of_the_reference(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Neighbours through every round of the box search, against comparing all with all."""
-    monkeypatch.setattr(neighbours, "ONE_BOX", 0)
+    monkeypatch.setattr(neighbours, "BOX_CAPACITY", 0)
     most, most_vectors = (50, 90) if seed == 2 else (lags.MOST_ROWS, neighbours.MOST_VECTORS)
     monkeypatch.setattr(lags, "MOST_ROWS", most)  # of long channels only some take part
     monkeypatch.setattr(neighbours, "MOST_VECTORS", most_vectors)

@@ -15,7 +15,7 @@ from gam_db.engines import engine_named
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import EngineError, StateError
 from gam_db.stored.schema import dropping
-from gam_db.stored.schema.migration_files import definitions, files, placed
+from gam_db.stored.schema.migration_files import create_statements, definitions, files
 from gam_db.stored.schema.migrations import migrate, rendered, require
 from gam_db.stored.schema.tables import StateTables
 from gam_db.version import __version__
@@ -272,7 +272,7 @@ def as_of_before(session: DuckSession) -> None:
     """Make the tables of a state under the names of before schema 0.1, and the rows of its record."""
     names = dataclasses.replace(STATE, apart="")
     for name, about in definitions().items():
-        for statement in placed(about, name, session.engine, names):
+        for statement in create_statements(about, name, session.engine, names):
             session.execute(statement)
     for number, name in enumerate(("migration", "monitor", "run", "run", "visible_bucket", "fleet"), 1):
         row = f"{number}, '{name}', 'x', 0, '0.0.9'"
@@ -308,7 +308,7 @@ def test_another_state_may_begin_like_ours() -> None:
     longer = StateTables(prefix="gam_state_", apart="")
     with DuckSession(writable=True) as session:
         for name, about in definitions().items():
-            for statement in placed(about, name, session.engine, longer):
+            for statement in create_statements(about, name, session.engine, longer):
                 session.execute(statement)
         session.connection.execute(
             "INSERT INTO gam_state_migration VALUES (1, 'migration', 'x', 0, '0')"

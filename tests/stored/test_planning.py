@@ -49,7 +49,7 @@ def plant() -> Iterator[duckdb.DuckDBPyConnection]:
 def planned(connection: duckdb.DuckDBPyConnection, lookback: int, is_searched: bool) -> list[Row]:
     with monitor(connection) as mine:
         plan = searched_plan_rows if is_searched else plan_rows
-        with Running(mine.session, Pipeline(), mine.tables.placed()) as running:
+        with Running(mine.session, Pipeline(), mine.tables.nodes()) as running:
             rows = plan(running, 1, lookback)
     return sorted(({**row, "oldest_bucket": 0} for row in rows), key=lambda row: str(row["asset"]))
 
@@ -191,7 +191,7 @@ def test_runs_of_late_are_enough_or_all_are_looked_at(
             monkeypatch.setattr(reading, "recent_run", lambda since=since: since)
             assert planned(plant, LOOKBACK, False) == whole
         steps = [plan_steps(1, LOOKBACK, since) for since in (runs[-1][0], runs[-1][0] + 1)]
-        plans = [mine.session.rows(one.query("plan", mine.state.tables.placed())) for one in steps]
+        plans = [mine.session.rows(one.query("plan", mine.state.tables.nodes())) for one in steps]
         assert [{row["restarts"] for row in plan} for plan in plans] == [{1}, {0}]
         assert {row["read_until"] for row in plans[1]} == {LONG_AGO}
     put(plant, readings(LENGTH - 20, LENGTH))
@@ -282,7 +282,7 @@ def test_the_past_window_is_found_by_literals(plant: duckdb.DuckDBPyConnection) 
         "stored/scoring/past_buckets", {"buckets": 4, "differing": [], "near": near(group, 4)}
     )
     with monitor(plant) as mine:
-        place(query, mine.state.tables.placed())
+        place(query, mine.state.tables.nodes())
         plant.execute(
             "CREATE TEMP TABLE cohort AS SELECT 1 channel_id, 1 version_id, 199000 first_bucket"
         )
@@ -309,7 +309,7 @@ def test_runs_of_years_are_not_put_in_order(plant: duckdb.DuckDBPyConnection) ->
     assert planned(plant, LOOKBACK, False) == plan
     assert everything(plant, "gam_state_visible_bucket") == buckets
     with monitor(plant) as mine:
-        reads = plan_steps(1, LOOKBACK).query("last_reads", mine.state.tables.placed())
+        reads = plan_steps(1, LOOKBACK).query("last_reads", mine.state.tables.nodes())
         views = (
             f"SELECT * FROM {called(view)}" for view in ("fleet", "visible_novel", "visible_judgement")
         )
@@ -335,7 +335,7 @@ def test_sqlite_finds_what_is_stored_by_its_key() -> None:
         connection.execute("CREATE TABLE telemetry (asset TEXT, channel TEXT, time BIGINT, value REAL)")
         mine = gam_db.Monitor(session, gam_db.Source("telemetry"))
         mine.migrate()
-        stored = mine.state.tables.placed()
+        stored = mine.state.tables.nodes()
         past = filled(
             "stored/scoring/past_buckets", {"buckets": 50, "differing": [], "near": near(group, 50)}
         )

@@ -389,7 +389,7 @@ def test_what_is_labelled_unhealthy_is_left_out_of_later_calibrations(plant: Pla
 def test_limits_that_are_made_again_are_for_judgements_to_come(plant: Plant) -> None:
     plant.score(4, 4)
     before = visible(plant.monitor, JUDGEMENTS)
-    plant.monitor.asked = gam_db.Alarms("5 per 1000 judgements")
+    plant.monitor.alarm_settings = gam_db.Alarms("5 per 1000 judgements")
     (limit,) = plant.monitor.limits(again=True, reason="stricter").to_pylist()
     assert (limit["limit_no"], limit["from_judgement"], limit["cause"]) == (2, 2, "stricter")
     plant.score(4, 0)
@@ -424,7 +424,7 @@ def test_a_label_that_means_nothing_is_refused(plant: Plant, said: dict[str, Any
 
 
 def test_a_rate_in_days_is_refused_before_anything_is_written(plant: Plant) -> None:
-    plant.monitor.asked = gam_db.Alarms("1 per month")
+    plant.monitor.alarm_settings = gam_db.Alarms("1 per month")
     with pytest.raises(ParameterError, match="the source counts time in integers"):
         plant.monitor.calibrate(again=True)
     assert len(visible(plant.monitor, "SELECT * FROM gam_state_version")) == 1

@@ -99,7 +99,7 @@ def agrees(engine: str, told: list[Row], kind: str, counting: Method, method: Me
             gam_db.Source(lent.name, clock_tolerance=False),
             *method,
             short_cuts=True,
-            asked=["bucket_health"],
+            targets=["bucket_health"],
         )
         for question in ("health_at_buckets", "support"):
             expected = harness.by_reference(question, told, *counting)

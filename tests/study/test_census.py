@@ -21,7 +21,7 @@ import harness
 import strategies
 from gam_db.engines.session import Session
 from gam_db.method import census
-from gam_db.method.delays import KEPT, STORED
+from gam_db.method.delays import SET_STEPS, STORED
 from gam_db.study import Study
 from gam_db.study import census as at_work
 from harness import Answer, Row
@@ -247,7 +247,7 @@ def test_health_alone_has_the_same_proof(engine: str, again: str) -> None:
     session, expected = engines.session(engine), harness.all_by_reference(table, *method)
     with session.lent(harness.arrow(table)) as lent:
         study = Study(
-            session, gam_db.Source(lent.name), *method, short_cuts=True, asked=["bucket_health"]
+            session, gam_db.Source(lent.name), *method, short_cuts=True, targets=["bucket_health"]
         )
         for question in ("health_at_buckets", "support", "certificate"):
             found = study.table(harness.STEPS[question]).to_pylist()
@@ -311,7 +311,7 @@ def test_single_vectors_have_the_same_proof(engine: str, again: str, case: str) 
     session = engines.session(engine)
     with session.lent(harness.arrow(table)) as lent:
         asked = gam_db.Source(lent.name), *method
-        study = Study(session, *asked, short_cuts=True, asked=["health_indicator"])
+        study = Study(session, *asked, short_cuts=True, targets=["health_indicator"])
         found = study.table("health_indicator").to_pylist()
         assert (study.form, study.is_collapsed) == ("census", again != "none")
         study.forget()
@@ -371,7 +371,7 @@ def test_what_has_no_room_is_not_held(engine: str, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(type(session), "rows_at_once", lambda _: len(rows()) - 1)
     with session.lent(harness.arrow(rows())) as lent:
         study = study_of(session, lent.name, method)
-        assert "stored" not in study.running.placed
+        assert "stored" not in study.running.tables
         study.forget()
     found, is_trusting = answers(session, rows(), method)
     assert is_trusting
@@ -382,8 +382,8 @@ def test_what_has_no_room_is_not_held(engine: str, monkeypatch: pytest.MonkeyPat
 def test_what_proves_nothing_is_not_begun(engine: str, asked: str) -> None:
     session, method = engines.session(engine), harness.made(*SERVED["delays"])
     with session.lent(harness.arrow(rows())) as lent:
-        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True, asked=[asked])
-        assert "slices" not in study.running.placed
+        study = Study(session, gam_db.Source(lent.name), *method, short_cuts=True, targets=[asked])
+        assert "slices" not in study.running.tables
         study.forget()
 
 
@@ -441,10 +441,10 @@ def test_what_the_body_of_the_engine_keeps(engine: str) -> None:
         study = study_of(session, lent.name, method)
         study.table("bucket_health")
         body = session.engine.delays
-        assert {study.method.named(step, 0) for step in KEPT.get(body or "", ())} <= set(
-            study.running.placed
+        assert {study.method.named(step, 0) for step in SET_STEPS.get(body or "", ())} <= set(
+            study.running.tables
         )
-        assert set(STORED.get(body or "", ())) <= set(study.running.placed)
+        assert set(STORED.get(body or "", ())) <= set(study.running.tables)
         assert "incomplete_vectors_0" not in study.steps.steps
         study.forget()
 

@@ -100,7 +100,7 @@ def asked_for(
     session = engines.session(engine)
     with session.lent(harness.arrow(table)) as lent:
         source, cells = gam_db.Source(lent.name), novel_cells(session, lent.name, method)
-        study = Study(session, source, *method, short_cuts=True, asked=asked)
+        study = Study(session, source, *method, short_cuts=True, targets=asked)
         found = {"cells": cells}
 
         def ask(step: str) -> None:

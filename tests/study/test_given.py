@@ -103,11 +103,11 @@ def test_a_text_file_is_parsed_once(folder: Path) -> None:
     for what, reads in (("text", {"readings"}), ("path", set())):
         with gam_db.connect() as session:
             source = sourced(GIVEN[what](folder), session)
-            study = Study(session, source, SMALL, gam_db.Calibration(), short_cuts=True, asked=ASKED)
+            study = Study(session, source, SMALL, gam_db.Calibration(), short_cuts=True, targets=ASKED)
             assert study.table("bucket_health").num_rows > 0
             assert study.form == "census"
             for step in (EDGES, TAUGHT, SCORED):
-                assert study.steps.steps[step].made.reads == reads
+                assert study.steps.steps[step].definition.reads == reads
 
 
 def test_a_choice_is_made_of_what_is_given(folder: Path) -> None:

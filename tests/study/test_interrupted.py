@@ -152,7 +152,7 @@ def test_what_stands_still_is_kept_where_it_has_room(
         found = study.table("bucket_health").to_pylist()
         assert study.form == "census"
         for step in ("incomplete_moving_codes", "incomplete_vectors"):
-            assert (step in study.running.placed) is has_room
+            assert (step in study.running.tables) is has_room
         summary = study.table("support_summary").to_pylist()
         ends = standing(study)
         study.forget()

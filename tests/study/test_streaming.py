@@ -108,11 +108,11 @@ def answers(
     """Return what a study answers, and whether by streams; what is asked for is what it was told."""
     with DuckSession(connection) as session:
         source = gam_db.Source(relation)
-        study = Study(session, source, parameters, calibration, short_cuts=True, asked=asked)
+        study = Study(session, source, parameters, calibration, short_cuts=True, targets=asked)
         for step in asked:
             study.table(step)
         is_short = study.form in ("streams", "census")
-        assert ("taught" in "".join(study.running.placed)) == bool(asked and is_short)
+        assert ("taught" in "".join(study.running.tables)) == bool(asked and is_short)
         found = {question: study.table(step).to_pylist() for question, step in harness.STEPS.items()}
         novel = study.table("novel_cells").num_rows
         if study.form == "streams":
@@ -255,7 +255,7 @@ def test_supports_that_have_no_room_as_bits_are_looked_up_cell_by_cell(
                 rows(),
                 *method,
             )
-            steps[has_room] = list(study.running.placed)
+            steps[has_room] = list(study.running.tables)
             study.forget()
     assert "support_bits" in steps[True]
     assert "support_bits" not in steps[False]
@@ -372,7 +372,7 @@ def test_rows_without_a_time_are_in_no_vector(connection: duckdb.DuckDBPyConnect
     connection.execute("INSERT INTO telemetry VALUES ('d', 'x', NULL, 1.0)")
     with DuckSession(connection) as session:
         given = session, gam_db.Source("telemetry"), *method
-        study = Study(*given, strict=False, short_cuts=True, asked=["health_indicator"])
+        study = Study(*given, strict=False, short_cuts=True, targets=["health_indicator"])
         found = study.table("health_indicator").to_pylist()
         assert study.form == "streams"
         study.forget()
@@ -420,7 +420,7 @@ def test_the_vectors_themselves_show_a_wrong_proof(
     """Where the glance and the proof are passed over, what is computed says so itself."""
 
     def grouped(running: Running, is_proven: bool) -> pa.Table:
-        names = running.session.fetch(running.steps.query("names", running.placed))
+        names = running.session.fetch(running.steps.query("names", running.tables))
         return names.append_column("in_order", pa.array([1] * names.num_rows))
 
     monkeypatch.setattr(naming, "counted", grouped)
@@ -455,7 +455,7 @@ def test_an_instant_that_occurs_twice_after_calibration_changes_what_calibration
     stored(connection, table)
     with DuckSession(connection) as session:
         source = gam_db.Source("telemetry")
-        study = Study(session, source, *method, short_cuts=True, asked=asked)
+        study = Study(session, source, *method, short_cuts=True, targets=asked)
         found = study.table(harness.STEPS[question]).to_pylist()
         study.forget()
     harness.assert_same(harness.all_by_reference(table, *method)[question], found, question)
@@ -542,7 +542,7 @@ def test_nothing_is_collapsed_where_calibration_alone_is_asked_for(
     method = harness.made(*SERVED["no calibration"])
     with DuckSession(connection) as session:
         study = Study(
-            session, gam_db.Source("telemetry"), *method, short_cuts=True, asked=["support_summary"]
+            session, gam_db.Source("telemetry"), *method, short_cuts=True, targets=["support_summary"]
         )
         assert study.is_ordered
         assert {row["verdict"] for row in study.rows("support_summary")} == {"no_data"}

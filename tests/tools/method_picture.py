@@ -1,7 +1,7 @@
 """Draw the picture of the README: ``python tests/tools/method_picture.py docs/figures/method.svg``.
 
-A signal of 20 samples a cycle that grows a second movement, its delay vectors (m = 2) on a grid of 16 bins, and
-its health indicator, all computed by gam_db.
+A signal of 20 samples a cycle that grows a second movement, its delay vectors (m = 2) on a grid of 16
+bins, and its health indicator, which gam_db computes.
 """
 
 import sys
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 import gam_db
 from gam_db.lab.reproduce.svg import BLACK, DARK, GREY, Drawing, Plot
 
-#: Samples, the delay, bins per axis, vectors of the window, the share of healthy samples, and when wear begins.
+#: Samples, delay, bins per axis, vectors of the window, share of healthy samples, and when wear begins.
 SAMPLES, TAU, BINS, WINDOW, HEALTHY, WEAR = 6_000, 5, 16, 200, 0.4, 3_600
 BLUE, RED = "#c9dbe8", "#b3261e"
 #: Of the picture: the lowest and highest reading that it shows, and its healthy and its later samples.
@@ -29,13 +29,18 @@ def signal() -> Floats:
     time = np.arange(SAMPLES)
     noise = np.random.default_rng(3).normal(0, 0.03, SAMPLES)
     wear = np.clip((time - WEAR) / (SAMPLES - WEAR), 0, 1)
-    return np.sin(2 * np.pi * time / 20) + 0.6 * wear * np.sin(2 * np.pi * time / 7.3) + noise
+    readings: Floats = (
+        np.sin(2 * np.pi * time / 20) + 0.6 * wear * np.sin(2 * np.pi * time / 7.3) + noise
+    )
+    return readings
 
 
 def draw(path: Path) -> None:
     """Write the picture."""
     readings = signal()
-    drawing = Drawing(960, 300, "How the method works: a signal, its delay vectors in cells, the indicator")
+    drawing = Drawing(
+        960, 300, "How the method works: a signal, its delay vectors in cells, the indicator"
+    )
     _signal(drawing, readings)
     _cells(drawing, readings)
     _indicator(drawing, readings)
@@ -76,7 +81,12 @@ def _indicator(drawing: Drawing, readings: Floats) -> None:
     plot = Plot(drawing, (670, 40), (260, 200), (SAMPLES * HEALTHY, SAMPLES), (0, 1))
     plot.line([(WEAR, 0), (WEAR, 1)], GREY, dash="2 2")
     plot.line(points, RED, 1.6)
-    plot.frame([3_000, 4_000, 5_000, 6_000], [0, 0.5, 1], "time", title="3. The indicator: share of novel vectors")
+    plot.frame(
+        [3_000, 4_000, 5_000, 6_000],
+        [0, 0.5, 1],
+        "time",
+        title="3. The indicator: share of novel vectors",
+    )
     drawing.text(*plot.at(WEAR + 60, 0.93), "wear begins", fill=DARK, size=11)
 
 

@@ -82,4 +82,4 @@ def visible(monitor: Monitor, query: str) -> list[dict[str, Any]]:
 
 
 def _tables(monitor: Monitor) -> dict[str, exp.Table]:
-    return {name.removeprefix("stored_"): table for name, table in monitor.state.tables.placed().items()}
+    return {name.removeprefix("stored_"): table for name, table in monitor.state.tables.nodes().items()}

@@ -80,9 +80,9 @@ def connected(target: Any, writable: bool) -> "ClickHouseDriver":
     try:
         return ClickHouseDriver(package.get_client(**wanted), address, owned=True)
     except package.driver.exceptions.ClickHouseError as error:
-        said = "locked" if is_locked(wanted.get("path")) else str(error)
+        reason = "locked" if is_locked(wanted.get("path")) else str(error)
         raise (
-            refusal("clickhouse_connecting", said, address=address)
+            refusal("clickhouse_connecting", reason, address=address)
             or problem(error, address)
             or EngineError(f"{address} cannot be opened: {first_line(error)}")
         ) from error
@@ -117,16 +117,18 @@ class ClickHouseDriver(Driver):
             for name, value in self._settings.items():
                 client.set_client_setting(name, value)
             self._settings = {}
-        self._database = self._one("SELECT currentDatabase()")
+        self._database = self._scalar("SELECT currentDatabase()")
 
     def _differing(self) -> dict[str, str]:
         """Return the settings that are not as they must be, of those that the server knows."""
         ((names, values, fixed_here),) = self._rows(_QUERIES["settings"])
-        found = dict(zip(names, zip(values, fixed_here, strict=True), strict=True))
+        current = dict(zip(names, zip(values, fixed_here, strict=True), strict=True))
         differing = {
-            name: value for name, value in _SETTINGS.items() if name in found and found[name][0] != value
+            name: value
+            for name, value in _SETTINGS.items()
+            if name in current and current[name][0] != value
         }
-        if fixed := sorted(name for name in differing if found[name][1]):
+        if fixed := sorted(name for name in differing if current[name][1]):
             raise wrong("clickhouse_fixed_settings", names=", ".join(fixed[:3]))
         return differing
 
@@ -165,14 +167,14 @@ class ClickHouseDriver(Driver):
             self._client.insert_arrow(name, rows, settings=self._settings)
         # A request that was cut off is sent again by the client, and its rows may be there twice.
         count = exp.select(exp.Count(this=exp.Star())).from_(table.copy())
-        if self._one(self.engine.text(count)) != rows.num_rows:
+        if self._scalar(self.engine.text(count)) != rows.num_rows:
             raise ConnectionError("rows were sent twice")
 
     def drop(self, table: exp.Table) -> None:
         drop = exp.Drop(tables=[table.copy()], kind="TABLE", temporary=True, exists=True)
         self.execute(self.engine.text(drop))
 
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+    def delete(self, table: exp.Table, keys: Sequence[str], key_rows: exp.Query) -> None:
         """Delete the rows of a table whose keys are among the rows of a query, as one step.
 
         The server deletes in the background, where no temporary table and no current database is known.
@@ -184,7 +186,7 @@ class ClickHouseDriver(Driver):
         doomed = exp.Table(this=template.name(name), db=database)
         target = exp.Table(this=table.this.copy(), db=database.copy())
         try:
-            self.execute(self.engine.text(create_table(doomed, found)))
+            self.execute(self.engine.text(create_table(doomed, key_rows)))
             columns = [template.column(key) for key in keys]
             listed = exp.select(*columns).from_(doomed.copy())
             if self.fetch(self.engine.text(listed.limit(1))).num_rows:
@@ -201,9 +203,9 @@ class ClickHouseDriver(Driver):
     def _remove(self, database: str, name: str) -> None:
         """Drop a table of keys, and a deletion that still reads it, which would never end."""
         with contextlib.suppress(*self.errors):
-            said = {"database": database, "name": name}
-            if self._one(_QUERIES["deleting"], **said):
-                self._client.command(_QUERIES["stop"], parameters=said, settings=self._settings)
+            names = {"database": database, "name": name}
+            if self._scalar(_QUERIES["deleting"], **names):
+                self._client.command(_QUERIES["stop"], parameters=names, settings=self._settings)
             left = exp.Table(this=template.name(name), db=template.name(database))
             self.execute(self.engine.text(exp.Drop(tables=[left], kind="TABLE", exists=True)))
 
@@ -248,7 +250,7 @@ class ClickHouseDriver(Driver):
         rows = self._client.query_arrow(query, parameters=parameters or None, settings=self._settings)
         return list(zip(*(column.to_pylist() for column in rows.columns), strict=True))
 
-    def _one(self, query: str, **parameters: Any) -> Any:
+    def _scalar(self, query: str, **parameters: Any) -> Any:
         return self._rows(query, **parameters)[0][0]
 
 
@@ -293,8 +295,8 @@ def server(address: str) -> dict[str, Any]:
         EngineError: a part of the address is none.
     """
     parts = urlsplit(address)
-    said = dict(parse_qsl(parts.query))
-    for name in said:
+    parameters = dict(parse_qsl(parts.query))
+    for name in parameters:
         if name not in _PARAMETERS:
             raise wrong("clickhouse_parameter", name=name, hint=nearest(name, _PARAMETERS))
     try:
@@ -311,7 +313,7 @@ def server(address: str) -> dict[str, Any]:
         "database": unquote(parts.path.strip("/")) or None,
         "send_receive_timeout": _PATIENCE,
         "query_retries": 0,
-        **said,
+        **parameters,
     }
 
 
@@ -320,16 +322,16 @@ def problem(error: Exception, address: str) -> UserError | None:
 
     It is one of clickhouse-connect or of the transport below; the address has no password.
     """
-    code, said = getattr(error, "code", None), str(error)
+    code, message = getattr(error, "code", None), str(error)
     if code is None and (
         isinstance(error, OSError) or type(error).__name__ in ("OperationalError", "StreamFailureError")
     ):
         code = "transport"
-    found = _GRANT.search(said)
+    grant = _GRANT.search(message)
     return refusal(
-        *("clickhouse", str(code), f"{code} {said}"),
+        *("clickhouse", str(code), f"{code} {message}"),
         address=address,
-        grant=found[1] if found else "SELECT, INSERT, CREATE TABLE, ALTER DELETE, DROP",
+        grant=grant[1] if grant else "SELECT, INSERT, CREATE TABLE, ALTER DELETE, DROP",
         name=getattr(error, "name", None) or code,
     )
 

@@ -7,7 +7,7 @@ from sqlglot import exp
 from gam_db.clock import TimeKind
 from gam_db.engines.base import Engine, Texts, formula, settings
 from gam_db.engines.duckdb.reading import count_of_text, instant_of_text, is_zoned, number_of, retyped
-from gam_db.engines.functions import SIGNAL, macro, of_one_signal
+from gam_db.engines.functions import SIGNAL, macro, signal_rows
 from gam_db.engines.rewrites import compare_by_bytes
 from gam_db.engines.types import Types
 from gam_db.method.bits import Bits
@@ -39,15 +39,17 @@ def counted_as_doubles(tree: exp.Expr) -> exp.Expr:
     for window in tree.find_all(exp.Window):
         added = window.this.this if isinstance(window.this, exp.Sum) else None
         if window.args.get("order") is not None and isinstance(added, exp.Case):
-            values = [*(one.args["true"] for one in added.args["ifs"]), added.args.get("default")]
-            if all(isinstance(one, exp.Literal) and one.name in ("0", "1") for one in values):
+            values = [*(branch.args["true"] for branch in added.args["ifs"]), added.args.get("default")]
+            if all(
+                isinstance(literal, exp.Literal) and literal.name in ("0", "1") for literal in values
+            ):
                 window.this.set("this", exp.cast(added, "DOUBLE"))
     return tree
 
 
 def of_signal(name: exp.Table, view: exp.Table) -> exp.Create:
     """Return the macro that gives the rows of one signal of a view."""
-    return macro(name, SIGNAL, of_one_signal(view))
+    return macro(name, SIGNAL, signal_rows(view))
 
 
 ENGINE = Engine.named(

@@ -91,10 +91,10 @@ class DuckDriver(Driver):
             self.connection.execute(parsed(statement))
         except duckdb.Error as error:
             # Of a commit that the disk had no room for, DuckDB says that the transaction failed.
-            told = refusal("duckdb_writing", type(error).__name__, str(error))
-            if self.problem(error) is not None or told is None:
+            user_error = refusal("duckdb_writing", type(error).__name__, str(error))
+            if self.problem(error) is not None or user_error is None:
                 raise
-            raise told from error
+            raise user_error from error
 
     def fetch(self, query: str) -> pa.Table:
         return self.connection.sql(parsed(query)).to_arrow_table()
@@ -102,9 +102,9 @@ class DuckDriver(Driver):
     def rows(self, query: str) -> list[dict[str, Any]]:
         # Not by way of Arrow: a relation is bound when it is made, and again when its rows are read.
         # (Of instants with a zone DuckDB makes Python's by pytz only; nothing that is read so has any.)
-        found = self.connection.execute(parsed(query))
-        names = [column[0] for column in found.description]
-        return [dict(zip(names, row, strict=True)) for row in found.fetchall()]
+        cursor = self.connection.execute(parsed(query))
+        names = [column[0] for column in cursor.description]
+        return [dict(zip(names, row, strict=True)) for row in cursor.fetchall()]
 
     def begin(self) -> None:
         self.execute("BEGIN")
@@ -162,7 +162,7 @@ class DuckDriver(Driver):
             super().drop(table)
 
     def tables(self) -> list[tuple[str, ...]]:
-        return self.asked("tables")
+        return self.catalogue_rows("tables")
 
     def located(self, table: exp.Expr) -> exp.Expr:
         """Return the node as it is, but for a view of what cannot be read."""
@@ -177,25 +177,27 @@ class DuckDriver(Driver):
         everything = exp.Describe(this=exp.select("*").from_(relation))
         rows = self.connection.execute(parsed(self.engine.text(everything))).fetchall()
         types = {str(row[0]): str(row[1]) for row in rows}
-        return types | {one.name: one.shown for one in self._differing.get(relation, [])}
+        return types | {column.name: column.shown for column in self._differing.get(relation, [])}
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
         """Return the tables and views of a schema, unless DuckDB takes its name for a database's."""
-        databases = {name.casefold() for (name,) in self.asked("databases")}
+        databases = {name.casefold() for (name,) in self.catalogue_rows("databases")}
         if schema is not None and schema.casefold() in databases:
             raise wrong("duckdb_schema_like_database", schema=schema)
-        return {name.casefold(): tuple(columns) for name, columns in self.asked("relations", schema)}
+        return {
+            name.casefold(): tuple(columns) for name, columns in self.catalogue_rows("relations", schema)
+        }
 
     def file(self, relation: Any, form: Form | None = None) -> exp.Expr:
         """Return the node that reads files, written in a form, which all have the same columns."""
         paths = paths_of(relation)
-        found = without_results(self.connection, paths)
-        self.sources += found
-        texts = [one for one in found if is_text_file(one)]
-        if 0 < len(texts) < len(found):
-            other = next(one for one in found if one not in texts)
+        sources = without_results(self.connection, paths)
+        self.sources += sources
+        texts = [path for path in sources if is_text_file(path)]
+        if 0 < len(texts) < len(sources):
+            other = next(path for path in sources if path not in texts)
             raise SourceError(f"{texts[0]} is CSV, and {other} is Parquet; give files of one kind.")
-        files = matching(self.connection, found)
+        files = matching(self.connection, sources)
         if texts:
             form = form or Form()
             if form.encoding is not None:
@@ -206,7 +208,7 @@ class DuckDriver(Driver):
                 raise self.copies.original(error) from error
             self._readers.append(node)
         else:
-            node = self._parquet(found, files)
+            node = self._parquet(sources, files)
         self._columns(node, shown_relation(paths))
         return node
 
@@ -216,17 +218,17 @@ class DuckDriver(Driver):
             return csv_reader(self.sources, node.this.expressions[1:])
         return node
 
-    def _parquet(self, found: Sequence[str], files: Sequence[str]) -> exp.Expr:
+    def _parquet(self, sources: Sequence[str], files: Sequence[str]) -> exp.Expr:
         """Return the node that reads Parquet files."""
         if len(files) > 1:
             try:
                 by_file = columns_of_parquet(self.connection, files)
             except duckdb.Error:  # which of them cannot be read?
                 by_file = {file: {**self._columns(parquet_reader([file]), file)} for file in files}
-            node, differing = parquet_files(self.connection, found, by_file)
+            node, differing = parquet_files(self.connection, sources, by_file)
             self._differing |= {node: differing} if differing else {}
             return node
-        return parquet_reader(found)
+        return parquet_reader(sources)
 
     def _columns_of_text(self, node: exp.Expr, path: str) -> Columns | None:
         """Return the columns of a CSV file; None if it has no row."""
@@ -251,23 +253,23 @@ class DuckDriver(Driver):
             raise self.problem(error) or no_table(path, str(error)) from error
 
     def rows_at_once(self) -> int:
-        ((memory,),) = self.asked("memory")
+        ((memory,),) = self.catalogue_rows("memory")
         amount, _, unit = str(memory).partition(" ")
         return max(int(float(amount) * _UNITS.get(unit, 2**20)) // _PER_READING, 100_000)
 
     def threads(self) -> int:
-        return int(self.asked("threads")[0][0])
+        return int(self.catalogue_rows("threads")[0][0])
 
     def problem(self, error: Exception) -> UserError | None:
         if isinstance(error, duckdb.PermissionException) and self.owned:
             return wrong("duckdb_other_file", said=first_line(error).partition(" - ")[0])
         if isinstance(error, duckdb.ConversionException) and (
-            said := late_word(self.connection, error, self._readers)
+            misfit := late_word(self.connection, error, self._readers)
         ):
-            return self.copies.original(said)
+            return self.copies.original(misfit)
         what = (type(error).__name__, str(error))
-        if (told := refusal(self.engine.name, *what, place=_place(str(error)))) is not None:
-            return told
+        if (user_error := refusal(self.engine.name, *what, place=_place(str(error)))) is not None:
+            return user_error
         if isinstance(error, duckdb.Error) and (differing := unalike(error)):
             return differing
         if "CSV Error" in first_line(error) and not isinstance(error, duckdb.IOException):
@@ -284,12 +286,12 @@ class DuckDriver(Driver):
             with contextlib.suppress(EngineError):  # what was committed is in the log
                 self.checkpoint()
             with contextlib.suppress(duckdb.Error):  # it is closed already
-                others = self.asked("is_shared")[0][0]
+                others = self.catalogue_rows("is_shared")[0][0]
         self.connection.close()
         if self._journal is not None:
             self._journal.close(others)
 
-    def asked(self, query: str, *values: Any) -> list[tuple[Any, ...]]:
+    def catalogue_rows(self, query: str, *values: Any) -> list[tuple[Any, ...]]:
         """Return the rows of a query on the catalogue."""
         return self.connection.execute(parsed(_QUERIES[query]), values).fetchall()
 
@@ -313,10 +315,10 @@ def _parser() -> duckdb.DuckDBPyConnection:
     return duckdb.connect(config={"threads": 1})
 
 
-def _place(said: str) -> str:
+def _place(message: str) -> str:
     """Return which file DuckDB speaks of, as far as it says so."""
-    found = _FILE.search(said)
-    return found[1] if found else "the DuckDB file, or of its temporary files,"
+    match = _FILE.search(message)
+    return match[1] if match else "the DuckDB file, or of its temporary files,"
 
 
 def _opened(target: Any, writable: bool) -> duckdb.DuckDBPyConnection:

@@ -19,12 +19,12 @@ class Copies:
 
     def __init__(self) -> None:
         self._folder: tempfile.TemporaryDirectory[str] | None = None
-        self._made: dict[tuple[str, str, int, int], str] = {}
+        self._copies: dict[tuple[str, str, int, int], str] = {}
 
     @property
     def paths(self) -> list[str]:
         """The copies."""
-        return [*self._made.values()]
+        return [*self._copies.values()]
 
     def of(self, path: str, encoding: str) -> str:
         """Return the path of a file in UTF-8; a file that changed is copied anew.
@@ -35,32 +35,32 @@ class Copies:
         if codecs.lookup(encoding).name == "utf-8":
             return path
         try:
-            found = os.stat(path)
-            key = path, encoding, found.st_mtime_ns, found.st_size
-            if key not in self._made:
+            status = os.stat(path)
+            key = path, encoding, status.st_mtime_ns, status.st_size
+            if key not in self._copies:
                 self._folder = self._folder or tempfile.TemporaryDirectory(prefix="gam_")
-                target = Path(self._folder.name) / f"{len(self._made)}.csv"
+                target = Path(self._folder.name) / f"{len(self._copies)}.csv"
                 _copy(path, encoding, target)
-                self._made[key] = str(target)
+                self._copies[key] = str(target)
         except UnicodeError as error:
             raise wrong("other_encoding", path=path, encoding=encoding) from error
         except OSError as error:
             raise wrong("file_unreadable", path=path) from error
-        return self._made[key]
+        return self._copies[key]
 
     def original(self, error: UserError) -> UserError:
         """Return an error that names the files themselves, not their copies."""
-        said = error.options
-        for (path, *_), copy in self._made.items():
-            said = said.replace(copy, path)
-        return type(error)(said)
+        message = error.options
+        for (path, *_), copy in self._copies.items():
+            message = message.replace(copy, path)
+        return type(error)(message)
 
     def close(self) -> None:
         """Remove them."""
         if self._folder is not None:
             self._folder.cleanup()
         self._folder = None
-        self._made.clear()
+        self._copies.clear()
 
 
 def _copy(path: str, encoding: str, target: Path) -> None:
@@ -78,8 +78,8 @@ def _copy(path: str, encoding: str, target: Path) -> None:
 
 def not_utf8(path: str) -> SourceError:
     """Return what is said of a file that is not in UTF-8."""
-    said: SourceError = wrong("not_utf8", path=path, likely=_likely(path))  # type: ignore[assignment]
-    return said
+    error: SourceError = wrong("not_utf8", path=path, likely=_likely(path))  # type: ignore[assignment]
+    return error
 
 
 def looks_wide(path: str) -> bool:

@@ -30,7 +30,7 @@ _OF_RESULTS = ("novel_in_window", "calibrated_lo", "learned_floor")
 
 
 _AT_WORK = data.table("gam_db.engines.duckdb", "duckdb.toml")
-_QUERIES, _SAID = _AT_WORK["queries"], _AT_WORK["said"]
+_QUERIES, _MESSAGES = _AT_WORK["queries"], _AT_WORK["said"]
 
 #: Formats of tables that are folders -> what inside tells, and the way through Arrow.
 _TABLES = {
@@ -54,17 +54,17 @@ def without_results(connection: duckdb.DuckDBPyConnection, paths: Sequence[str])
     if not parquet or files == paths[:1]:
         return paths
     try:
-        said = [parquet, list(_OF_RESULTS), MARK]
-        results = connection.execute(_QUERIES["results"], said).fetchall()
+        parameters = [parquet, list(_OF_RESULTS), MARK]
+        results = connection.execute(_QUERIES["results"], parameters).fetchall()
     except duckdb.Error:  # a file is not there or damaged, which is said where it is read
         return paths
     ours = {file for (file,) in results}
     if not ours:
         return paths
-    kept = [file for file in files if file not in ours]
-    if not kept:
+    others = [file for file in files if file not in ours]
+    if not others:
         raise wrong("nothing_but_results", relation=shown_relation(paths))
-    return kept
+    return others
 
 
 def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> list[str]:
@@ -76,7 +76,12 @@ def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> list[str]:
         if any(Path(path).glob(log)):
             raise wrong("table_that_is_a_folder", path=path, table=table, through=through)
     files = _matching(connection, f"{path}**/*")
-    endings = {file[-len(one) :] for file in files for one in FILE_ENDINGS if file.lower().endswith(one)}
+    endings = {
+        file[-len(ending) :]
+        for file in files
+        for ending in FILE_ENDINGS
+        if file.lower().endswith(ending)
+    }
     if not endings:
         if any(map(is_spreadsheet, files)):
             raise wrong("spreadsheet", relation=path)
@@ -99,35 +104,37 @@ def _matching(connection: duckdb.DuckDBPyConnection, pattern: str) -> list[str]:
 
 def metadata(sources: Sequence[str]) -> exp.Expr:
     """Return what a file of results says of itself: whose results, and where from."""
-    paths = (one if "://" in one else os.path.abspath(one) for one in dict.fromkeys(sources))
-    said = {MARK: __version__, SOURCE_MARK: ";".join(paths)}
+    paths = (source if "://" in source else os.path.abspath(source) for source in dict.fromkeys(sources))
+    marks = {MARK: __version__, SOURCE_MARK: ";".join(paths)}
     pairs = [
         exp.PropertyEQ(this=template.text(name), expression=template.text(value))
-        for name, value in said.items()
+        for name, value in marks.items()
     ]
     return exp.Struct(expressions=pairs)
 
 
 def no_table(path: str, reason: str) -> UserError:
     """Return why a path is no table, in the user's words."""
-    if (extension := re.search(_SAID["extension"], reason)) is None:
+    if (extension := re.search(_MESSAGES["extension"], reason)) is None:
         return wrong("duckdb_no_table", path=path)
     return wrong("duckdb_extension", path=path, extension=extension[1])
 
 
 def unalike(error: duckdb.Error) -> UserError | None:
     """Return what is said of files of one source that do not have the same columns, if it is that."""
-    found = next(filter(None, (re.search(one, str(error)) for one in _SAID["unalike"])), None)
-    if found is None:
+    match = next(
+        filter(None, (re.search(pattern, str(error)) for pattern in _MESSAGES["unalike"])), None
+    )
+    if match is None:
         return None
-    one, other = found["file"] or "One file", found["first"] or "another"
-    return wrong("duckdb_files_unalike", one=one, column=found["column"], other=other)
+    file, other = match["file"] or "One file", match["first"] or "another"
+    return wrong("duckdb_files_unalike", one=file, column=match["column"], other=other)
 
 
-def wrong_line(said: str) -> UserError:
+def wrong_line(message: str) -> UserError:
     """Return what is said of a line of a CSV file that cannot be read at all."""
-    line, file = re.search(_SAID["line"], said), re.search(_SAID["file"], said)
-    if file is not None and re.search(_SAID["encoding"], said):
+    line, file = re.search(_MESSAGES["line"], message), re.search(_MESSAGES["file"], message)
+    if file is not None and re.search(_MESSAGES["encoding"], message):
         return not_utf8(file[1])
     at = "A line" if line is None else f"Line {line[1]}"
     return wrong("duckdb_csv_line", line=at, file="" if file is None else f" {file[1]}")
@@ -140,13 +147,13 @@ def late_word(
 
     Of the nodes that read CSV files, that of the file at fault tells how it is written.
     """
-    if (found := re.search(_SAID["late"], str(error))) is None:
+    if (match := re.search(_MESSAGES["late"], str(error))) is None:
         return None
-    line, column, word, kind, file = found.groups()
+    line, column, word, kind, file = match.groups()
     like = exp.EQ(this=template.column(column), expression=template.text(word))
-    own, rows = [one for one in readers if file in matching(connection, paths_read(one))], 1
-    if own:
-        count = exp.select(exp.Count(this=exp.Star())).from_(all_as_text(own[-1])).where(like)
+    of_file, rows = [reader for reader in readers if file in matching(connection, paths_read(reader))], 1
+    if of_file:
+        count = exp.select(exp.Count(this=exp.Star())).from_(all_as_text(of_file[-1])).where(like)
         with contextlib.suppress(duckdb.Error):  # the user's transaction has failed with the statement
             ((rows,),) = connection.execute(ENGINE.text(count)).fetchall()
     same = f", {rows:,} times in all" if rows > 1 else ""

@@ -49,7 +49,7 @@ class Journal:
         ).fetchall()
         self._log = Path(f"{path}.wal")
         self._path = Path(path).resolve()
-        self._kept = journal_of(self._path)
+        self._journal = journal_of(self._path)
         self._file: io.FileIO | None = None
 
     def keep(self) -> None:
@@ -65,7 +65,7 @@ class Journal:
             self._file = self._path.open("rb", buffering=0)
         of_file, size = self._file.fileno(), self._block_size
         places = {0: HEADERS, **{HEADERS + block * size: size for (block,) in blocks}}
-        unfinished = self._kept.with_name(f"{self._kept.name}.new")
+        unfinished = self._journal.with_name(f"{self._journal.name}.new")
         with unfinished.open("wb") as file:
             shutil.copymode(self._path, unfinished)
             with zipfile.ZipFile(file, "w") as archive:
@@ -73,9 +73,9 @@ class Journal:
                     archive.writestr(str(place), os.pread(of_file, length, place))
             file.flush()
             os.fsync(file.fileno())
-        _AT_WORK.add(self._kept)
-        unfinished.replace(self._kept)
-        folder = os.open(self._kept.parent, os.O_RDONLY)
+        _AT_WORK.add(self._journal)
+        unfinished.replace(self._journal)
+        folder = os.open(self._journal.parent, os.O_RDONLY)
         try:
             os.fsync(folder)
         finally:
@@ -95,8 +95,8 @@ class Journal:
 
     def done(self) -> None:
         """Remove the journal: the file is whole."""
-        self._kept.unlink(missing_ok=True)
-        _AT_WORK.discard(self._kept)
+        self._journal.unlink(missing_ok=True)
+        _AT_WORK.discard(self._journal)
 
     def close(self, still_open: bool = False) -> None:
         """Let go of the file, after DuckDB has; not if other connections of the process have it open."""
@@ -104,7 +104,7 @@ class Journal:
             _STILL_OPEN.append(self._file)
         elif self._file is not None:
             self._file.close()
-            _AT_WORK.discard(self._kept)
+            _AT_WORK.discard(self._journal)
             put_back(self._path)
         self._file = None
 
@@ -121,12 +121,12 @@ def put_back(path: Path) -> None:
     process has open is left to it.
     """
     path = path.resolve()
-    kept = journal_of(path)
-    if fcntl is None or kept in _AT_WORK or not kept.exists():
+    journal = journal_of(path)
+    if fcntl is None or journal in _AT_WORK or not journal.exists():
         return
     with contextlib.suppress(OSError, zipfile.BadZipFile), path.open("r+b") as file:
         fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        with zipfile.ZipFile(kept) as archive:
+        with zipfile.ZipFile(journal) as archive:
             parts = {int(name): archive.read(name) for name in archive.namelist()}
         if file.read(HEADERS) == parts.pop(0):
             for place, part in parts.items():
@@ -134,4 +134,4 @@ def put_back(path: Path) -> None:
                 file.write(part)
             file.flush()
             os.fsync(file.fileno())
-        kept.unlink()
+        journal.unlink()

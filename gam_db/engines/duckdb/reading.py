@@ -73,8 +73,8 @@ def all_as_text(reader: exp.Expr) -> exp.Expr:
     """Return the reader of CSV files with all columns as they are written."""
     reader = reader.copy()
     files, *options = reader.this.expressions
-    kept = [files, *(one for one in options if one.this.name not in ("types", "nullstr"))]
-    reader.this.set("expressions", [*kept, reader_option("all_varchar", exp.true())])
+    others = [files, *(option for option in options if option.this.name not in ("types", "nullstr"))]
+    reader.this.set("expressions", [*others, reader_option("all_varchar", exp.true())])
     reader.set("alias", None)
     return reader
 
@@ -83,12 +83,12 @@ def retyped(relation: exp.Expr, types: Mapping[str, str]) -> exp.Expr:
     """Return the reader of a text file with the types of some columns said."""
     if not is_csv_reader(relation):
         return relation
-    reader, said = relation.copy(), exp.Struct(expressions=[])
-    for one in reader.this.expressions[1:]:
-        if one.this.name == "types":
-            said = one.expression
-            one.pop()
-    others = [one for one in said.expressions if one.this.name not in types]
+    reader, struct = relation.copy(), exp.Struct(expressions=[])
+    for option in reader.this.expressions[1:]:
+        if option.this.name == "types":
+            struct = option.expression
+            option.pop()
+    others = [pair for pair in struct.expressions if pair.this.name not in types]
     more = [
         exp.PropertyEQ(this=template.text(name), expression=template.text(of))
         for name, of in types.items()
@@ -119,7 +119,7 @@ def parquet_reader(paths: Sequence[str]) -> exp.Expr:
 
 def csv_reader(paths: Sequence[str], options: Sequence[exp.Expr], reader: str = "READ_CSV") -> exp.Expr:
     """Return the node that reads CSV files by their paths, which may be patterns."""
-    return exp.Table(this=called(reader, _files(paths), *(one.copy() for one in options)))
+    return exp.Table(this=called(reader, _files(paths), *(option.copy() for option in options)))
 
 
 def _files(paths: Sequence[str]) -> exp.Expr:
@@ -129,7 +129,7 @@ def _files(paths: Sequence[str]) -> exp.Expr:
 
 def paths_read(reader: exp.Expr) -> list[str]:
     """Return the paths that such a node reads."""
-    return [one.name for one in reader.this.expressions[0].find_all(exp.Literal)]
+    return [literal.name for literal in reader.this.expressions[0].find_all(exp.Literal)]
 
 
 def is_text_file(path: str) -> bool:
@@ -140,7 +140,7 @@ def is_text_file(path: str) -> bool:
 def csv_options(form: Form) -> list[exp.Expr]:
     """Return what the reader of CSV files is told; a word that means a missing value is so anywhere."""
     has_hour = {"%H", "%I", "%c", "%X"} & {*re.findall("%-?[A-Za-z]", form.time_format or "%H")}
-    said = {
+    settings = {
         "delim": form.delimiter,
         "decimal_separator": form.decimal or ("," if form.thousands == "." else None),
         "thousands": form.thousands,
@@ -151,7 +151,7 @@ def csv_options(form: Form) -> list[exp.Expr]:
         reader_option(
             name, exp.Literal.number(value) if isinstance(value, int) else template.text(value)
         )
-        for name, value in said.items()
+        for name, value in settings.items()
         if value is not None
     ]
     if form.null:

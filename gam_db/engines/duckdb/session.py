@@ -48,12 +48,12 @@ class DuckSession(Session):
 
     def files(self) -> frozenset[Path]:
         """Return the database files that are open here, by their full paths."""
-        rows = self.driver.asked("files")
+        rows = self.driver.catalogue_rows("files")
         return frozenset(Path(path).resolve() for (path,) in rows if path is not None)
 
     def file(self) -> Path | None:
         """Return the file of the current database; None for one in memory."""
-        ((path,),) = self.driver.asked("current_file")
+        ((path,),) = self.driver.catalogue_rows("current_file")
         return None if path is None else Path(path)
 
     def check_condition(
@@ -140,11 +140,11 @@ class DuckSession(Session):
         All stays as it is where a source is remote, as what reads that is loaded when it is needed, and
         where the database is open on another connection of the process, which shares the setting.
         """
-        if self.driver.asked("access") != [(True, 1)]:
+        if self.driver.catalogue_rows("access") != [(True, 1)]:
             return
-        views = [text for (text,) in self.driver.asked("views")]
+        views = [text for (text,) in self.driver.catalogue_rows("views")]
         patterns = {*self.driver.sources, *_named_in_views(views)}
-        if any("://" in one for one in patterns):
+        if any("://" in pattern for pattern in patterns):
             return
         allowed = (
             patterns
@@ -153,14 +153,14 @@ class DuckSession(Session):
         )
         for pattern in patterns:
             with contextlib.suppress(duckdb.IOException):  # a text in a view that is no pattern
-                allowed.update(*self.driver.asked("matching", pattern))
+                allowed.update(*self.driver.catalogue_rows("matching", pattern))
         self.connection.execute("SET allowed_paths = ?", [sorted(allowed)])
         self.connection.execute("SET enable_external_access = false")
 
     @contextlib.contextmanager
     def _without_checkpoint(self) -> Iterator[None]:
         """Let a file be detached as it is."""
-        (before,) = self.driver.asked("detaching")
+        (before,) = self.driver.catalogue_rows("detaching")
         self.connection.execute("SET checkpoint_on_detach = 'DISABLED'")
         try:
             yield
@@ -169,16 +169,16 @@ class DuckSession(Session):
 
     def _write_table(self, query: exp.Query, path: Path, table: str) -> None:
         target = exp.Table(this=template.name(table), db=template.name("main"))
-        made = exp.Create(this=target, kind="TABLE", replace=True, expression=query)
+        create = exp.Create(this=target, kind="TABLE", replace=True, expression=query)
         if path.resolve() in self.files():  # it is read, too
             with _written(path):
-                self._run(made)
+                self._run(create)
             return
         is_new = not path.exists()
         try:
             with self.attached(path) as catalog:
                 target.set("catalog", catalog)
-                self._run(made)
+                self._run(create)
         except BaseException:
             for end in _BESIDE if is_new else ():
                 Path(f"{path}{end}").unlink(missing_ok=True)
@@ -188,16 +188,16 @@ class DuckSession(Session):
         """Run what writes a file; whoever asks says why one cannot be written."""
         text = self.engine.text(tree)
         try:
-            self._asked(lambda: self.connection.execute(parsed(text)), text)
+            self._answer(lambda: self.connection.execute(parsed(text)), text)
         except (StatementError, FullError) as error:
             if isinstance(error.__cause__, (duckdb.IOException, duckdb.BinderException)):
                 raise error.__cause__ from None
             raise
 
-    def _is_among(self, node: exp.Expr, known: Sequence[tuple[str, ...]]) -> bool:
+    def _is_among(self, node: exp.Expr, tables: Sequence[tuple[str, ...]]) -> bool:
         """Tell the same, case aside; a schema may be left out between database and name."""
         parts = [part.name.casefold() for part in node.parts]  # type: ignore[attr-defined]
-        folded = [[part.casefold() for part in name] for name in known]
+        folded = [[part.casefold() for part in name] for name in tables]
         return any(parts in (name[-len(parts) :], [name[0], name[-1]]) for name in folded)
 
     def _unknown(self, shown: str, hint: str) -> str:
@@ -212,7 +212,7 @@ def _named_in_views(views: Sequence[str]) -> set[str]:
     """Return all in the definitions of views that may be the path of a file."""
     tokens = [token for text in views for token in sqlglot.tokenize(text, read="duckdb")]
     quoted = (sqlglot.TokenType.STRING, sqlglot.TokenType.IDENTIFIER)
-    texts = {one.text for one in tokens if one.token_type in quoted and {".", "/"} & {*one.text}}
+    texts = {token.text for token in tokens if token.token_type in quoted and {".", "/"} & {*token.text}}
     return {text for text in texts if not text.endswith(("/", "."))}
 
 

@@ -115,18 +115,18 @@ def _dialect(
     connection: duckdb.DuckDBPyConnection, file: str, form: Form
 ) -> tuple[list[exp.Expr], list[str]]:
     """Return the dialect of a file as options of the reader, and its columns."""
-    options = [one for one in csv_options(form) if one.this.name != "nullstr"]
+    options = [option for option in csv_options(form) if option.this.name != "nullstr"]
     sniffed = csv_reader([file], options, "SNIFF_CSV")
     wanted = [*_DIALECT.values(), "HasHeader", "Columns"]
-    (found,) = connection.execute(ENGINE.text(exp.select(*wanted).from_(sniffed))).fetchall()
-    *signs, has_header, columns = found
-    given = {one.this.name for one in options}
+    (row,) = connection.execute(ENGINE.text(exp.select(*wanted).from_(sniffed))).fetchall()
+    *signs, has_header, columns = row
+    chosen = {option.this.name for option in options}
     dialect = [
         reader_option(
             name, exp.Literal.number(value) if isinstance(value, int) else template.text(value)
         )
         for name, value in zip(_DIALECT, signs, strict=True)
-        if name not in given and value not in _NONE
+        if name not in chosen and value not in _NONE
     ]
     dialect.append(reader_option("header", exp.true() if has_header else exp.false()))
     return dialect, [column["name"] for column in columns]
@@ -142,7 +142,9 @@ def _common_types(
         if len({*files.values()}) > 1:
             for file in [file for file, of in files.items() if of == "VARCHAR"]:
                 counted = exp.select(exp.Count(this=template.column(name)))
-                reader = csv_reader([file], [one for one in options if one.this.name != "union_by_name"])
+                reader = csv_reader(
+                    [file], [option for option in options if option.this.name != "union_by_name"]
+                )
                 if connection.execute(ENGINE.text(counted.from_(reader))).fetchone() == (0,):
                     del files[file]  # it has no value in this file
             common = _common_of_texts({*files.values()})
@@ -150,14 +152,14 @@ def _common_types(
     return [reader_option("types", exp.Struct(expressions=types))] if types else []
 
 
-def _common_of_texts(found: set[str]) -> str:
+def _common_of_texts(types: set[str]) -> str:
     """Return the type of a column that CSV files seem to have by several."""
-    if len(found) == 1:
-        return next(iter(found))
-    if all(map(ENGINE.types.is_numeric, found)):
+    if len(types) == 1:
+        return next(iter(types))
+    if all(map(ENGINE.types.is_numeric, types)):
         return "DOUBLE"
-    if found <= _CALENDAR:
-        return max(found, key=len)
+    if types <= _CALENDAR:
+        return max(types, key=len)
     return "VARCHAR"
 
 
@@ -165,15 +167,15 @@ def columns_of_parquet(
     connection: duckdb.DuckDBPyConnection, files: Sequence[str]
 ) -> dict[str, dict[str, str]]:
     """Return the columns of Parquet files and their types, file by file."""
-    found: dict[str, dict[str, str]] = {file: {} for file in files}
+    columns: dict[str, dict[str, str]] = {file: {} for file in files}
     below = 0  # nodes of a nested column that are still to come
     for file, name, type_name, children in connection.execute(_QUERIES["schemas"], [files]).fetchall():
         if type_name is None:  # the root
             continue
         if not below:
-            found[file][name] = type_name
+            columns[file][name] = type_name
         below += (children or 0) - (below > 0)
-    return found
+    return columns
 
 
 def parquet_files(
@@ -199,11 +201,11 @@ def parquet_files(
         for types, named in groups:
             having.setdefault(types[place], []).extend(named)
         files = {of: min(named) for of, named in sorted(having.items())}
-        found = _common(connection, name, files, having)
-        if found is None:
+        terms = _common(connection, name, files, having)
+        if terms is None:
             differing.append(Differing(name, files))
-            found = {of: exp.cast(template.column(name), "VARCHAR") for of in files}
-        read[name] = found
+            terms = {of: exp.cast(template.column(name), "VARCHAR") for of in files}
+        read[name] = terms
     parts = []
     for types, named in groups:
         every = [
@@ -252,7 +254,7 @@ def common_number(types: Iterable[str]) -> str:
     for of in types:
         if ENGINE.types.is_binary_float(of):
             return "DOUBLE"
-        digits = [int(one) for one in re.findall(r"\d+", of)] if of.startswith("DECIMAL") else []
+        digits = [int(number) for number in re.findall(r"\d+", of)] if of.startswith("DECIMAL") else []
         digits = digits or [_DIGITS.get(of, 38), 0]
         whole, scale = max(whole, digits[0] - digits[1]), max(scale, digits[1])
     if not scale and not any(of.startswith("DECIMAL") for of in types):

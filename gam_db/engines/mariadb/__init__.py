@@ -57,9 +57,9 @@ def guard(table: exp.Table, column: str) -> exp.Expr:
     """
     schema = template.text(table.db) if table.db else called("DATABASE")
     slots: dict[str, template.Slot] = {"schema": schema, "column": template.text(column)}
-    found = template.fill("export/timestamp_columns", {**slots, "table": template.text(table.name)})
-    said = template.text(_OF_SESSION.format(column=column))
-    texts = [node.sql(dialect="mysql") for node in (found, said)]
+    query = template.fill("export/timestamp_columns", {**slots, "table": template.text(table.name)})
+    message = template.text(_OF_SESSION.format(column=column))
+    texts = [node.sql(dialect="mysql") for node in (query, message)]
     body = template.text(_BLOCK.format(*texts)).sql(dialect="mysql")
     return exp.Command(this="EXECUTE", expression=f"IMMEDIATE {body}")
 

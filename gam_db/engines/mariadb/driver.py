@@ -76,18 +76,18 @@ class MariaDriver(DbapiDriver):
         self.errors = (pymysql.err.Error,)
         self._lent: set[str] = set()
         self._types = pymysql.constants.FIELD_TYPE
-        ((version,),) = self._asked("SELECT VERSION()")
+        ((version,),) = self._run("SELECT VERSION()")
         if "MariaDB" not in version or ENGINE.is_too_old(version):
             raise EngineError(f"The server is {version}; gam-db needs MariaDB {ENGINE.oldest} or later.")
         if self.in_transaction():
             raise EngineError(OPEN)
-        self._before = self._asked(_QUERIES["settings"])[0]
+        self._before = self._run(_QUERIES["settings"])[0]
         self._charset = connection.charset
-        self._asked(_QUERIES["set"], tuple(_SETTINGS.values()))
+        self._run(_QUERIES["set"], tuple(_SETTINGS.values()))
         connection.set_character_set("utf8mb4", COLLATION)
 
     def in_transaction(self) -> bool:
-        return bool(self._asked("SELECT @@in_transaction")[0][0])
+        return bool(self._run("SELECT @@in_transaction")[0][0])
 
     def array(self, described: Sequence[Any], column: Sequence[Any]) -> pa.Array:
         types, kind = self._types, described[1]
@@ -114,7 +114,7 @@ class MariaDriver(DbapiDriver):
     def close(self) -> None:
         if not self._owned:
             with contextlib.suppress(*self.errors):
-                self._asked(_QUERIES["set"], self._before)
+                self._run(_QUERIES["set"], self._before)
                 self._connection.set_character_set(self._charset)
         super().close()
 
@@ -132,11 +132,11 @@ class MariaDriver(DbapiDriver):
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return the tables and views of all databases, and temporary ones, which no list has."""
-        return [*self._asked(_QUERIES["tables"]), *((name,) for name in self._lent)]
+        return [*self._run(_QUERIES["tables"]), *((name,) for name in self._lent)]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
-        rows = self._asked(self.engine.text(exp.Describe(this=relation.find(exp.Table))))
+        rows = self._run(self.engine.text(exp.Describe(this=relation.find(exp.Table))))
         return {name: str(declared) for name, declared, *_ in rows}
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
-        return by_table(self._asked(_QUERIES["relations"], (schema,)))
+        return by_table(self._run(_QUERIES["relations"], (schema,)))

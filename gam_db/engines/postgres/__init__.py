@@ -9,7 +9,7 @@ from sqlglot import exp
 from gam_db import data
 from gam_db.composing import template
 from gam_db.engines.base import Engine, settings
-from gam_db.engines.functions import SIGNAL, of_one_signal
+from gam_db.engines.functions import SIGNAL, signal_rows
 from gam_db.engines.rewrites import at_home, compare_by_bytes
 from gam_db.engines.storage import Storage
 from gam_db.engines.types import Types
@@ -51,11 +51,11 @@ def fence_reads(tree: exp.Expr) -> exp.Expr:
         if (source := select.args.get("from_")) is None:
             continue
         entry = entries.get(source.this.name) if isinstance(source.this, exp.Table) else source.this
-        is_kept = isinstance(entry, exp.CTE) and entry.args.get("materialized")
-        read = entry.this if isinstance(entry, (exp.CTE, exp.Subquery)) and not is_kept else None
+        is_materialized = isinstance(entry, exp.CTE) and entry.args.get("materialized")
+        read = entry.this if isinstance(entry, (exp.CTE, exp.Subquery)) and not is_materialized else None
         if not isinstance(read, exp.Query) or read.args.get("limit") or read.args.get("offset"):
             continue
-        windows = (found for one in select.selects for found in one.find_all(exp.Window))
+        windows = (window for output in select.selects for window in output.find_all(exp.Window))
         if any(window.parent_select is select for window in windows) or _repeats(select, read):
             read.set("offset", exp.Offset(expression=exp.Literal.number(0)))
     return tree
@@ -65,8 +65,8 @@ def _repeats(select: exp.Select, read: exp.Query) -> bool:
     """Tell whether a query over all rows of another one names a formula of it more than once."""
     if select.args.get("where") or select.args.get("joins"):
         return False
-    named = Counter(column.name for one in select.selects for column in one.find_all(exp.Column))
-    return any(named[one.alias] > 1 and _is_formula(one, read) for one in read.selects)
+    named = Counter(column.name for output in select.selects for column in output.find_all(exp.Column))
+    return any(named[output.alias] > 1 and _is_formula(output, read) for output in read.selects)
 
 
 def _is_formula(column: exp.Expr, query: exp.Query) -> bool:
@@ -75,7 +75,7 @@ def _is_formula(column: exp.Expr, query: exp.Query) -> bool:
     within = source.this.this if source and isinstance(source.this, exp.Subquery) else None
     if isinstance(column.unalias(), exp.Column) and isinstance(within, exp.Select):
         named = column.unalias().name
-        return any(_is_formula(one, within) for one in within.selects if one.alias == named)
+        return any(_is_formula(output, within) for output in within.selects if output.alias == named)
     return column.find(exp.Case) is not None
 
 
@@ -138,7 +138,7 @@ def of_signal(name: exp.Table, view: exp.Table) -> exp.Create:
         this=exp.UserDefinedFunction(this=name, expressions=arguments, wrapped=True),
         kind="FUNCTION",
         properties=exp.Properties(expressions=properties),
-        expression=template.text(ENGINE.text(of_one_signal(view))),
+        expression=template.text(ENGINE.text(signal_rows(view))),
     )
 
 

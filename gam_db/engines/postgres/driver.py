@@ -65,8 +65,8 @@ def connected(target: Any, writable: bool) -> "PostgresDriver":
     _check_address(target)
     wanted = {"fallback_application_name": "gam-db", "client_encoding": "UTF8"}
     try:
-        said = psycopg.conninfo.conninfo_to_dict(target)
-        if "connect_timeout" not in said and "PGCONNECT_TIMEOUT" not in os.environ:
+        options = psycopg.conninfo.conninfo_to_dict(target)
+        if "connect_timeout" not in options and "PGCONNECT_TIMEOUT" not in os.environ:
             wanted["connect_timeout"] = str(_PATIENCE)
         connection = psycopg.connect(target, autocommit=True, **wanted)
     except psycopg.Error as error:
@@ -106,7 +106,7 @@ class PostgresDriver(DbapiDriver):
             if owned:
                 self._pin(locally=False)
             else:
-                self._asked("SELECT 1")  # every statement of ours pins the path, and asks for it
+                self._run("SELECT 1")  # every statement of ours pins the path, and asks for it
             self.engine = dataclasses.replace(ENGINE, home=self._home)
             self._settings = self._set(_AT_WORK["settings"])
         except psycopg.Error as error:
@@ -116,7 +116,7 @@ class PostgresDriver(DbapiDriver):
         """Run one statement; a schema that is there is not made, which would take a right of its own."""
         self._statement = statement
         schema = _SCHEMA.fullmatch(statement)
-        if schema and self._asked("SELECT 1 FROM pg_namespace WHERE nspname = %s", (schema[1],)):
+        if schema and self._run("SELECT 1 FROM pg_namespace WHERE nspname = %s", (schema[1],)):
             return
         with self._safely(), self._cursor() as cursor:
             cursor.execute(statement, prepare=False)
@@ -184,7 +184,7 @@ class PostgresDriver(DbapiDriver):
         self._count(table)
 
     def tables(self) -> list[tuple[str, ...]]:
-        return self._asked(_QUERIES["tables"])
+        return self._run(_QUERIES["tables"])
 
     def located(self, table: exp.Expr) -> exp.Expr:
         """Return the node of a table with its schema, as the user's search_path has it.
@@ -198,17 +198,17 @@ class PostgresDriver(DbapiDriver):
         name = exp.Table(this=table.this.copy()).sql(dialect=self.engine.dialect)
         with self._safely(), self._connection.transaction():
             self._searching(self._path)
-            ((number,),) = self._told(_QUERIES["number"], (name,))
+            ((number,),) = self._run_pinned(_QUERIES["number"], (name,))
             self._searching(PATH)
-        found = self._asked(_QUERIES["schema"], (number,))
-        if not found:
-            for (schema,) in self._asked(_QUERIES["closed"], (table.name,)):
+        schemas = self._run(_QUERIES["schema"], (number,))
+        if not schemas:
+            for (schema,) in self._run(_QUERIES["closed"], (table.name,)):
                 raise wrong("postgres_usage", schema=schema)
             raise wrong("postgres_not_searched", name=table.name)
-        return exp.Table(this=table.this.copy(), db=template.name(found[0][0]))
+        return exp.Table(this=table.this.copy(), db=template.name(schemas[0][0]))
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
-        return dict(self._asked(_QUERIES["columns"], (self.engine.text(relation),)))
+        return dict(self._run(_QUERIES["columns"], (self.engine.text(relation),)))
 
     def relations(self, schema: str | None) -> dict[str, tuple[str, ...]]:
         """Return the tables and views of a schema with their columns, names of tables in lower case.
@@ -218,7 +218,7 @@ class PostgresDriver(DbapiDriver):
         """
         if (schema := schema or self.engine.home) is None:
             raise wrong("postgres_no_schema")
-        return by_table(self._asked(_QUERIES["relations"], (schema,)))
+        return by_table(self._run(_QUERIES["relations"], (schema,)))
 
     def expect_conditions(self) -> None:
         """Set the path, and how times are read, again after each statement.
@@ -231,7 +231,7 @@ class PostgresDriver(DbapiDriver):
     def only_reading(self) -> Iterator[None]:
         """Let statements change nothing for a while, also in a transaction."""
         with self._connection.transaction(force_rollback=True):
-            self._told(_QUERIES["only_read"], None)
+            self._run_pinned(_QUERIES["only_read"], None)
             yield
 
     def rows_at_once(self) -> int:
@@ -261,7 +261,7 @@ class PostgresDriver(DbapiDriver):
 
     def _memory(self) -> int:
         """Return the work_mem of the connection, in kB."""
-        ((memory,),) = self._asked(_QUERIES["memory"])
+        ((memory,),) = self._run(_QUERIES["memory"])
         return int(memory)
 
     def _is_long(self, query: exp.Query) -> bool:
@@ -270,15 +270,15 @@ class PostgresDriver(DbapiDriver):
             return False
         self._statement = self.engine.text(query)
         sql = self._psycopg.sql
-        ((said,),) = self._asked(sql.SQL(_QUERIES["plan"]).format(sql.SQL(self._statement)))
-        ((least,),) = self._asked(_QUERIES["translated_from"])
-        return bool(0 <= least <= said[0]["Plan"]["Total Cost"])
+        ((plan,),) = self._run(sql.SQL(_QUERIES["plan"]).format(sql.SQL(self._statement)))
+        ((least,),) = self._run(_QUERIES["translated_from"])
+        return bool(0 <= least <= plan[0]["Plan"]["Total Cost"])
 
     def _set(self, settings: Mapping[str, str]) -> dict[str, str]:
         """Change settings of the connection; return what they were."""
         before = {}
         for name, value in settings.items():
-            ((before[name], _),) = self._asked(_QUERIES["setting"], (name, name, value))
+            ((before[name], _),) = self._run(_QUERIES["setting"], (name, name, value))
         return before
 
     @contextlib.contextmanager
@@ -309,11 +309,11 @@ class PostgresDriver(DbapiDriver):
     def _pin_again(self, path: str, locally: bool) -> None:
         """Set what a condition of the user's may have set otherwise, by set_config."""
         if self._runs_conditions:
-            self._told(_QUERIES["pin_again"], (path, locally))
+            self._run_pinned(_QUERIES["pin_again"], (path, locally))
 
     def _searching(self, path: str, locally: bool = True) -> tuple[str, str | None]:
         """Look names up on a path; return the one before, and its current schema."""
-        ((before, schema, _),) = self._told(_QUERIES["pin"], (path, locally))
+        ((before, schema, _),) = self._run_pinned(_QUERIES["pin"], (path, locally))
         return before, schema
 
     @contextlib.contextmanager
@@ -331,12 +331,12 @@ class PostgresDriver(DbapiDriver):
         # A factory of the user's would make something else than tuples of the rows.
         return self._connection.cursor(binary=binary, row_factory=self._psycopg.rows.tuple_row)
 
-    def _asked(self, query: Any, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
+    def _run(self, query: Any, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
         """Return the rows of a query of our own, a text or one that psycopg composed."""
         with self._safely():
-            return self._told(query, values or None)
+            return self._run_pinned(query, values or None)
 
-    def _told(self, query: Any, values: Sequence[Any] | None) -> list[tuple[Any, ...]]:
+    def _run_pinned(self, query: Any, values: Sequence[Any] | None) -> list[tuple[Any, ...]]:
         """Return the same where the path is pinned, or is being pinned."""
         with self._cursor() as cursor:
             return list(cursor.execute(query, values, prepare=False).fetchall())
@@ -357,9 +357,9 @@ def _check_address(address: str) -> None:
 def _place(psycopg: Any, address: str) -> str:
     """Return the server that an address means; empty if it means none."""
     try:
-        said = psycopg.conninfo.conninfo_to_dict(address)
+        options = psycopg.conninfo.conninfo_to_dict(address)
     except psycopg.Error:
         return ""
-    host = said.get("host") or os.environ.get("PGHOST") or "the local socket"
-    port = said.get("port") or os.environ.get("PGPORT") or "5432"
+    host = options.get("host") or os.environ.get("PGHOST") or "the local socket"
+    port = options.get("port") or os.environ.get("PGPORT") or "5432"
     return f"{host}, port {port}" if port.isdecimal() else host

@@ -13,34 +13,34 @@ _DENIED = re.compile(r"permission denied (?:for|to create temporary tables in) (
 _TARGET = re.compile(r'(INSERT INTO|UPDATE|DELETE FROM|CREATE)\b[^"]*((?:"[^"]+"\.)?"[^"]+")')
 
 
-def of_connecting(said: str, place: str) -> UserError:
+def of_connecting(message: str, place: str) -> UserError:
     """Return why there is no connection to a server, whose place is empty if the address means none.
 
     What libpq says is not shown, since it can hold parts of a password.
     """
     if not place:
         return wrong("postgres_no_address")
-    return refused("postgres_connecting", said.lower(), place=place)
+    return refused("postgres_connecting", message.lower(), place=place)
 
 
 def of_statement(error: Any, statement: str, closed: bool) -> UserError | None:
     """Return what the user can do about a statement that was refused; None if it is our fault."""
-    state, said = error.sqlstate or "", error.diag.message_primary or ""
+    state, message = error.sqlstate or "", error.diag.message_primary or ""
     if state == "42501" and not closed:
-        return _denied(said, statement)
+        return _denied(message, statement)
     if state in _UNKNOWN and not closed and "function" in (error.diag.context or ""):
-        return wrong("postgres_function", said=said)
-    return refusal("postgres", "closed" if closed else state, f"{state} {said}")
+        return wrong("postgres_function", said=message)
+    return refusal("postgres", "closed" if closed else state, f"{state} {message}")
 
 
-def _denied(said: str, statement: str) -> UserError:
+def _denied(message: str, statement: str) -> UserError:
     """Return which privilege is missing, and of what."""
-    if (found := _DENIED.search(said)) is None:
-        return wrong("postgres_denied", said=said)
-    kind, name = found[1], found[2].strip('"')
+    if (match := _DENIED.search(message)) is None:
+        return wrong("postgres_denied", said=message)
+    kind, name = match[1], match[2].strip('"')
     target = _TARGET.match(statement)
     privilege = "SELECT"
-    if "temporary" in said:
+    if "temporary" in message:
         privilege = "TEMPORARY"
     elif kind in ("schema", "database"):
         creating = statement.startswith("CREATE") and not statement.startswith("CREATE TEMP")

@@ -54,7 +54,7 @@ class SparkDriver(Driver):
 
     most_rows = 2**40  # Spark spills what does not fit, and a group of channels costs it a round of jobs
 
-    def __init__(self, session: Any, engine: Engine, writable: bool, kept: Folder | str) -> None:
+    def __init__(self, session: Any, engine: Engine, writable: bool, storage: Folder | str) -> None:
         self.engine = engine
         self._session, self._writable = session, writable
         self.errors = (
@@ -63,11 +63,11 @@ class SparkDriver(Driver):
             ConnectionError,
         )
         self._tables: FolderTables | MetastoreTables = (
-            FolderTables(session, self._run, engine, kept)
-            if isinstance(kept, Folder)
-            else MetastoreTables(session, self._run, engine, kept)
+            FolderTables(session, self._run, engine, storage)
+            if isinstance(storage, Folder)
+            else MetastoreTables(session, self._run, engine, storage)
         )
-        self._scratch = self._shared_place(kept)
+        self._scratch = self._shared_place(storage)
         self._views: dict[str, Path | None] = {}
 
     def execute(self, statement: str) -> None:
@@ -95,8 +95,8 @@ class SparkDriver(Driver):
         place = self._scratch / f"{table.name}_{secrets.token_hex(4)}"
         frame.write.parquet(str(place))
         files = [pq.ParquetFile(path) for path in sorted(place.glob("*.parquet"))]
-        if sum(one.metadata.num_rows for one in files) <= _FEW:
-            self.ingest(table, pa.concat_tables([one.read() for one in files]))
+        if sum(file.metadata.num_rows for file in files) <= _FEW:
+            self.ingest(table, pa.concat_tables([file.read() for file in files]))
             shutil.rmtree(place)
         else:
             self._name(table, self._session.read.parquet(str(place)), place)
@@ -112,10 +112,10 @@ class SparkDriver(Driver):
         if place is not None:
             shutil.rmtree(place, ignore_errors=True)
 
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+    def delete(self, table: exp.Table, keys: Sequence[str], key_rows: exp.Query) -> None:
         if not self._writable:
             raise EngineError(READ_ONLY)
-        self._tables.delete(table, keys, found)
+        self._tables.delete(table, keys, key_rows)
 
     def tables(self) -> list[tuple[str, ...]]:
         return [*self._tables.names(), *((name,) for name in self._views)]
@@ -176,10 +176,10 @@ class SparkDriver(Driver):
             shutil.rmtree(self._scratch, ignore_errors=True)
         self._tables.close()
 
-    def _shared_place(self, kept: Folder | str) -> Path | None:
+    def _shared_place(self, storage: Folder | str) -> Path | None:
         """Return a folder for steps that Spark's workers reach; None where none is known."""
-        if isinstance(kept, Folder) and self._writable:
-            return kept.scratch()
+        if isinstance(storage, Folder) and self._writable:
+            return storage.scratch()
         if self._session.sparkContext.master.startswith("local"):
             return Path(tempfile.mkdtemp(dir=scratch()))
         return None
@@ -200,7 +200,7 @@ class SparkDriver(Driver):
 
 def problem(error: Exception) -> UserError | None:
     """Return what the user can do about an error of Spark; None if it is none of the user's."""
-    said = str(getattr(error, "_desc", None) or error)  # without the stack of Java
-    condition = said[1:].partition("]")[0].partition(".")[0] if said.startswith("[") else ""
-    causes = f"{said}\n{getattr(error, '_stackTrace', '')}"
+    message = str(getattr(error, "_desc", None) or error)  # without the stack of Java
+    condition = message[1:].partition("]")[0].partition(".")[0] if message.startswith("[") else ""
+    causes = f"{message}\n{getattr(error, '_stackTrace', '')}"
     return refusal("spark", type(error).__name__, condition, causes)

@@ -69,19 +69,19 @@ class Folder:
 
     def entries(self) -> dict[str, Entry]:
         """Return all tables and views, by key; files that did not change are not read again."""
-        found: dict[Path, tuple[tuple[int, int], Entry]] = {}
+        fresh: dict[Path, tuple[tuple[int, int], Entry]] = {}
         for path in self._catalogue.glob("*.json"):
             try:
                 state = path.stat()
                 stamp = (state.st_mtime_ns, state.st_ino)
-                known = self._read.get(path)
-                found[path] = known if known and known[0] == stamp else (stamp, _entry(path))
+                cached = self._read.get(path)
+                fresh[path] = cached if cached and cached[0] == stamp else (stamp, _entry(path))
             except FileNotFoundError:
                 continue  # another process dropped it just now
             except OSError as error:
                 raise EngineError(f"{path} cannot be read: {error.strerror}.") from error
-        self._read = found
-        return {entry.key: entry for _, entry in found.values()}
+        self._read = fresh
+        return {entry.key: entry for _, entry in fresh.values()}
 
     def place(self, entry: Entry) -> Path:
         """Return the folder of the rows of a table."""
@@ -100,9 +100,9 @@ class Folder:
         """
         if entry.data is not None:
             self.place(entry).mkdir(exist_ok=True)
-        said = {**entry.__dict__, "columns": list(entry.columns)}
+        fields = {**entry.__dict__, "columns": list(entry.columns)}
         try:
-            self._write(self._file(entry), json.dumps(said, indent=1))
+            self._write(self._file(entry), json.dumps(fields, indent=1))
         except OSError as error:
             if isinstance(error, PermissionError):
                 raise EngineError(READ_ONLY) from error
@@ -113,11 +113,11 @@ class Folder:
         self._file(entry).unlink(missing_ok=True)
         self.sweep(entry.schema, entry.name, ())
 
-    def sweep(self, schema: str | None, name: str, kept: Iterable[str]) -> None:
+    def sweep(self, schema: str | None, name: str, folders: Iterable[str]) -> None:
         """Remove all rows of a table but those of some folders: what a process left that was killed."""
         prefix = f"{_file_name(schema, name)}-"
         for path in self.path.glob(f"{prefix}*"):
-            if path.name not in kept and len(path.name) == len(prefix) + 8:
+            if path.name not in folders and len(path.name) == len(prefix) + 8:
                 shutil.rmtree(path, ignore_errors=True)
 
     def scratch(self) -> Path:
@@ -126,9 +126,9 @@ class Folder:
             with contextlib.suppress(FileNotFoundError):
                 if time.time() - left.stat().st_mtime > _FORGOTTEN:
                     shutil.rmtree(left, ignore_errors=True)
-        made = self.path / _SCRATCH / secrets.token_hex(4)
-        made.mkdir(parents=True)
-        return made
+        folder = self.path / _SCRATCH / secrets.token_hex(4)
+        folder.mkdir(parents=True)
+        return folder
 
     def _file(self, entry: Entry) -> Path:
         return self._catalogue / f"{_file_name(entry.schema, entry.name)}.json"
@@ -147,8 +147,8 @@ class Folder:
 
 def _entry(path: Path) -> Entry:
     try:
-        said = json.loads(path.read_text(encoding="utf-8"))
-        return Entry(**{**said, "columns": tuple(said["columns"])})
+        fields = json.loads(path.read_text(encoding="utf-8"))
+        return Entry(**{**fields, "columns": tuple(fields["columns"])})
     except (ValueError, TypeError, KeyError) as error:
         raise wrong("spark_no_table_of_ours", path=path) from error
 

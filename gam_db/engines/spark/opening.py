@@ -130,12 +130,12 @@ def _started(master: str | None) -> Any:
     # A quarter of the memory, unless the settings of Spark say otherwise.
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 2**30  # in GiB
     os.environ.setdefault("SPARK_DRIVER_MEMORY", f"{max(memory // 4, 1)}g")
-    said = scratch() / "java.log"
+    log = scratch() / "java.log"
     try:
-        with quiet(), _stderr_to(said):
+        with quiet(), _stderr_to(log):
             session = builder.getOrCreate()
     except Exception as error:
-        text = said.read_text(encoding="utf-8", errors="replace") if said.exists() else ""
+        text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else ""
         words = {"master": master, "first_line": first_line(error)}
         no_java = "" if shutil.which("java") else "no java"
         raise refused("spark_starting", f"{error}\n{text}", no_java, **words) from error
@@ -152,11 +152,11 @@ def _stop(session: Any) -> None:
 def _stderr_to(path: Path) -> Iterator[None]:
     """Let processes that are started inside write their errors to a file."""
     sys.stderr.flush()
-    kept = os.dup(2)
+    saved = os.dup(2)
     try:
         with path.open("ab") as stream:
             os.dup2(stream.fileno(), 2)
         yield
     finally:
-        os.dup2(kept, 2)
-        os.close(kept)
+        os.dup2(saved, 2)
+        os.close(saved)

@@ -27,8 +27,10 @@ _SCHEMAS = 50
 
 def format_of(session: Any) -> str:
     """Return the format of new tables: that of the current catalogue, by its settings."""
-    said = session.conf.get(f"spark.sql.catalog.{session.catalog.currentCatalog()}", "").lower()
-    return next((name for name in ("delta", "iceberg") if name in said), "parquet")
+    implementation = session.conf.get(
+        f"spark.sql.catalog.{session.catalog.currentCatalog()}", ""
+    ).lower()
+    return next((name for name in ("delta", "iceberg") if name in implementation), "parquet")
 
 
 class Rewriting:
@@ -50,13 +52,13 @@ class Rewriting:
         return tuple(self._session.table(table.sql(dialect="spark")).columns)
 
     def staying(
-        self, table: exp.Table, columns: Sequence[str], keys: Sequence[str], found: exp.Query
+        self, table: exp.Table, columns: Sequence[str], keys: Sequence[str], key_rows: exp.Query
     ) -> exp.Query | None:
         """Return the rows of a table that stay; None if none are to go, whose keys are found."""
         same = same_keys(keys)
         rows = exp.select(*(exp.column(template.name(name), table="staying") for name in columns))
         rows = rows.from_(table.copy().as_("staying"))
-        doomed = found.subquery("gone")
+        doomed = key_rows.subquery("gone")
         any_row = rows.join(doomed.copy(), on=same.copy(), join_type="left semi").limit(1)
         if self._do(any_row).isEmpty():
             return None
@@ -68,8 +70,8 @@ class Rewriting:
         """Write rows that a table is to have to a folder that is not there yet."""
         beside = table.copy()
         beside.set("this", template.name(f"{table.name}_{secrets.token_hex(4)}"))
-        placed = [exp.LikeProperty(this=table.copy()), exp.LocationProperty(this=template.text(place))]
-        properties = exp.Properties(expressions=placed)
+        parts = [exp.LikeProperty(this=table.copy()), exp.LocationProperty(this=template.text(place))]
+        properties = exp.Properties(expressions=parts)
         self._do(exp.Create(this=beside, kind="TABLE", properties=properties))
         names = [template.name(name) for name in columns]
         self._do(exp.Insert(this=exp.Schema(this=beside.copy(), expressions=names), expression=rows))
@@ -93,7 +95,7 @@ class FolderTables(Rewriting):
     def __init__(self, session: Any, run: Callable[[str], Any], engine: Engine, folder: Folder) -> None:
         super().__init__(session, run, engine)
         self._folder = folder
-        self._known: dict[str, tuple[Entry, int]] = {}
+        self._registered: dict[str, tuple[Entry, int]] = {}
         self._schemas: set[str] = set()
         self._database = f"gam_{secrets.token_hex(6)}"
         self._make_schema(self._database)
@@ -102,7 +104,7 @@ class FolderTables(Rewriting):
     def ready(self, text: str) -> None:
         """Let the session know, as they are now, the tables that a statement may name."""
         entries = self._folder.entries()
-        for key in [key for key in self._known if key not in entries]:
+        for key in [key for key in self._registered if key not in entries]:
             self._forget(key)
         self._tell_named(text, entries, set())
 
@@ -124,10 +126,10 @@ class FolderTables(Rewriting):
             self._run(text)
             self._note(tree)
 
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+    def delete(self, table: exp.Table, keys: Sequence[str], key_rows: exp.Query) -> None:
         """Write the rows that stay to another folder, and let the table be that."""
-        self.ready(f"{table.name} {self._engine.text(found)}")
-        self._exchange(table, lambda columns: self.staying(table, columns, keys, found))
+        self.ready(f"{table.name} {self._engine.text(key_rows)}")
+        self._exchange(table, lambda columns: self.staying(table, columns, keys, key_rows))
 
     def _exchange(self, table: exp.Table, rows_of: Callable[[Sequence[str]], exp.Query | None]) -> None:
         """Write what a table is to have, if it is to change, to another folder, and let it be that."""
@@ -146,51 +148,53 @@ class FolderTables(Rewriting):
 
     def names(self) -> list[tuple[str, ...]]:
         """Return what can be read: (schema, name) or (name,)."""
-        return [(*filter(None, (one.schema, one.name)),) for one in self._folder.entries().values()]
+        return [
+            (*filter(None, (entry.schema, entry.name)),) for entry in self._folder.entries().values()
+        ]
 
     def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
         """Return the tables and views of a schema with their columns, names in lower case."""
         return {
-            one.name.casefold(): one.columns
-            for one in self._folder.entries().values()
-            if (one.schema or "").casefold() == (schema or "").casefold()
+            entry.name.casefold(): entry.columns
+            for entry in self._folder.entries().values()
+            if (entry.schema or "").casefold() == (schema or "").casefold()
         }
 
     def close(self) -> None:
         """Let the session forget them."""
-        for key in list(self._known):
+        for key in list(self._registered):
             self._forget(key)
         for schema in self._schemas:
             gone = exp.Table(db=template.name(schema))
             self._do(exp.Drop(tables=[gone], kind="SCHEMA", exists=True, cascade=True))
 
-    def _tell_named(self, text: str, entries: Mapping[str, Entry], told: set[str]) -> None:
+    def _tell_named(self, text: str, entries: Mapping[str, Entry], visited: set[str]) -> None:
         """Let Spark know what a statement names, and before a view all that it reads."""
         folded = text.casefold()
         for key, entry in entries.items():
-            if key not in told and entry.name.casefold() in folded:
-                told.add(key)
+            if key not in visited and entry.name.casefold() in folded:
+                visited.add(key)
                 if entry.data is None:
-                    self._tell_named(entry.statement, entries, told)
+                    self._tell_named(entry.statement, entries, visited)
                 self._tell(key, entry)
 
     def _tell(self, key: str, entry: Entry) -> None:
-        known = self._known.get(key)
+        registered = self._registered.get(key)
         changed = _changed(self._folder.place(entry)) if entry.data else 0
-        if known and known[0] == entry:
-            if known[1] != changed:
+        if registered and registered[0] == entry:
+            if registered[1] != changed:
                 self._do(exp.Refresh(this=_table(entry.name, entry.schema), kind="TABLE"))
-                self._known[key] = entry, changed
+                self._registered[key] = entry, changed
             return
-        if known:
+        if registered:
             self._forget(key)
         if entry.schema is not None:
             self._make_schema(entry.schema)
-        self._run(entry.statement if entry.data is None else self._placed(entry))
-        self._known[key] = entry, changed
+        self._run(entry.statement if entry.data is None else self._create_statement(entry))
+        self._registered[key] = entry, changed
 
     def _forget(self, key: str) -> None:
-        entry, _ = self._known.pop(key)
+        entry, _ = self._registered.pop(key)
         kind = "VIEW" if entry.data is None else "TABLE"
         self._do(exp.Drop(tables=[_table(entry.name, entry.schema)], kind=kind, exists=True))
 
@@ -198,9 +202,9 @@ class FolderTables(Rewriting):
         """Remember how a table is after rows of ours were written: Spark has looked at it again."""
         target = tree.find(exp.Table)
         key = _key(target) if target is not None else ""
-        if key in self._known:
-            entry, _ = self._known[key]
-            self._known[key] = entry, _changed(self._folder.place(entry)) if entry.data else 0
+        if key in self._registered:
+            entry, _ = self._registered[key]
+            self._registered[key] = entry, _changed(self._folder.place(entry)) if entry.data else 0
 
     def _create_table(self, tree: exp.Create) -> None:
         target = tree.find(exp.Table)
@@ -218,12 +222,12 @@ class FolderTables(Rewriting):
             self._folder.put(entry)
             return
         self.ready(text)
-        self._run(self._placed(entry))
+        self._run(self._create_statement(entry))
         tree.set("expression", None)
         columns = self._columns(_table(target.name, schema))
-        kept = dataclasses.replace(entry, columns=columns, statement=tree.sql(dialect="spark"))
-        self._folder.put(kept)
-        self._known[kept.key] = kept, _changed(self._folder.place(kept))
+        stored = dataclasses.replace(entry, columns=columns, statement=tree.sql(dialect="spark"))
+        self._folder.put(stored)
+        self._registered[stored.key] = stored, _changed(self._folder.place(stored))
 
     def _create_view(self, tree: exp.Create, text: str) -> None:
         target = tree.find(exp.Table)
@@ -232,7 +236,7 @@ class FolderTables(Rewriting):
         columns = self._columns(_table(target.name, target.db or None))
         entry = Entry(target.db or None, target.name, text, columns, None)
         self._folder.put(entry)
-        self._known[entry.key] = entry, 0
+        self._registered[entry.key] = entry, 0
 
     def _drop(self, tree: exp.Drop, text: str) -> None:
         target = tree.this if tree.this is not None else tree.args["tables"][0]
@@ -246,11 +250,11 @@ class FolderTables(Rewriting):
         """Make a schema known to Spark; its own place is never used, and is removed with it."""
         place = scratch() / f"{self._database}_{len(self._schemas)}"
         where = exp.Properties(expressions=[exp.LocationProperty(this=template.text(str(place)))])
-        made = exp.Table(db=template.name(schema))
-        self._do(exp.Create(this=made, kind="SCHEMA", exists=True, properties=where))
+        database = exp.Table(db=template.name(schema))
+        self._do(exp.Create(this=database, kind="SCHEMA", exists=True, properties=where))
         self._schemas.add(schema)
 
-    def _placed(self, entry: Entry) -> str:
+    def _create_statement(self, entry: Entry) -> str:
         """Return the statement that makes a table known, with the place of its rows."""
         create = sqlglot.parse_one(entry.statement, dialect="spark")
         properties = create.args.get("properties") or exp.Properties(expressions=[])
@@ -271,26 +275,26 @@ class MetastoreTables(Rewriting):
         """Run a statement that changes something."""
         self._run(text)
 
-    def delete(self, table: exp.Table, keys: Sequence[str], found: exp.Query) -> None:
+    def delete(self, table: exp.Table, keys: Sequence[str], key_rows: exp.Query) -> None:
         """Delete rows by their keys: Delta and Iceberg do, a Parquet table is pointed to other files."""
         if self._form != "parquet":
             gone = exp.select(*(exp.column(template.name(key)) for key in keys)).distinct()
             merge = exp.Merge(  # Delta's DELETE takes no query
                 this=table.copy().as_("staying"),
-                using=gone.from_(found.subquery("found")).subquery("gone"),
+                using=gone.from_(key_rows.subquery("found")).subquery("gone"),
                 on=same_keys(keys),
                 whens=exp.Whens(expressions=[exp.When(matched=True, then=exp.var("DELETE"))]),
             )
             self._do(merge)
             return
         columns = self._columns(table)
-        if (rows := self.staying(table, columns, keys, found)) is not None:
+        if (rows := self.staying(table, columns, keys, key_rows)) is not None:
             self._exchange(table, columns, rows)
 
     def _exchange(self, table: exp.Table, columns: Sequence[str], rows: exp.Query) -> None:
         """Write what a Parquet table is to have to other files, and point it to them."""
-        asked = exp.Describe(this=table.copy(), style="EXTENDED", kind="TABLE")
-        rows_of = reversed(self._do(asked).collect())
+        describe = exp.Describe(this=table.copy(), style="EXTENDED", kind="TABLE")
+        rows_of = reversed(self._do(describe).collect())
         before = next(str(row[1]) for row in rows_of if row[0] == "Location")
         after = f"{before.rstrip('/')}-{secrets.token_hex(4)}"
         self.write_beside(table, columns, rows, after)
@@ -305,25 +309,25 @@ class MetastoreTables(Rewriting):
         catalogue = self._session.catalog.currentCatalog()
         schemas = [row[0] for row in self._run("SHOW SCHEMAS").collect()]
         current = self._session.catalog.currentDatabase()
-        found: list[tuple[str, ...]] = []
-        for schema in [current, *(one for one in schemas[:_SCHEMAS] if one != current)]:
+        names: list[tuple[str, ...]] = []
+        for schema in [current, *(name for name in schemas[:_SCHEMAS] if name != current)]:
             rows = self._session.catalog.listTables(template.name(schema).sql(dialect="spark"))
-            found += [(row.name,) if row.isTemporary else (catalogue, schema, row.name) for row in rows]
-        return found
+            names += [(row.name,) if row.isTemporary else (catalogue, schema, row.name) for row in rows]
+        return names
 
     def relations(self, schema: str | None) -> Mapping[str, tuple[str, ...]]:
         """Return the tables and views of a schema with their columns, as they are now."""
         name = schema or self._session.catalog.currentDatabase()
         shown = template.name(name).sql(dialect="spark")
-        found: dict[str, tuple[str, ...]] = {}
+        columns: dict[str, tuple[str, ...]] = {}
         if schema is not None and not self._session.catalog.databaseExists(schema):
-            return found
+            return columns
         for row in self._session.catalog.listTables(shown):
             if not row.isTemporary:
                 table = exp.Table(this=template.name(row.name), db=template.name(name))
                 self._do(exp.Refresh(this=table.copy(), kind="TABLE"))
-                found[row.name.casefold()] = self._columns(table)
-        return found
+                columns[row.name.casefold()] = self._columns(table)
+        return columns
 
 
 def _key(table: exp.Table) -> str:
@@ -338,8 +342,8 @@ def _changed(folder: Path) -> int:
 
 
 def _files(folder: Path) -> frozenset[str]:
-    with os.scandir(folder) as found:
-        return frozenset(one.name for one in found if one.name.endswith(".parquet"))
+    with os.scandir(folder) as files:
+        return frozenset(file.name for file in files if file.name.endswith(".parquet"))
 
 
 def _table(name: str, schema: str | None) -> exp.Table:

@@ -83,9 +83,9 @@ class SqliteDriver(DbapiDriver):
         """Return a column as Arrow; integers among doubles are doubles."""
         if any(isinstance(value, float) for value in column):
             return pa.array(column, pa.float64())
-        said = [value for value in column if value is not None]
+        present = [value for value in column if value is not None]
         is_named = described[0] in _NAMES
-        if said and not is_named and all(_INSTANT.fullmatch(str(value)) for value in said):
+        if present and not is_named and all(_INSTANT.fullmatch(str(value)) for value in present):
             instants = [None if value is None else dt.datetime.fromisoformat(value) for value in column]
             return pa.array(instants, pa.timestamp("us"))
         return pa.array(column)
@@ -101,16 +101,16 @@ class SqliteDriver(DbapiDriver):
     @contextlib.contextmanager
     def only_reading(self) -> Iterator[None]:
         """Let statements change nothing for a while, also in a transaction."""
-        ((before,),) = self._asked("PRAGMA query_only")
-        self._asked("PRAGMA query_only = 1")
+        ((before,),) = self._run("PRAGMA query_only")
+        self._run("PRAGMA query_only = 1")
         try:
             yield
         finally:
-            self._asked(f"PRAGMA query_only = {before}")
+            self._run(f"PRAGMA query_only = {before}")
 
     def tables(self) -> list[tuple[str, ...]]:
         """Return the tables and views of all attached files: (schema, name)."""
-        schemas = [name for _, name, _ in self._asked("PRAGMA database_list")]
+        schemas = [name for _, name, _ in self._run("PRAGMA database_list")]
         return [(schema, name) for schema in schemas for name in self._names(schema)]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
@@ -129,8 +129,8 @@ class SqliteDriver(DbapiDriver):
         """Return the tables and views of the main file with their columns; there are no schemas."""
         if schema is not None:
             raise EngineError("SQLite has no schemas; leave schema out and give another prefix.")
-        found = {name: self._info(name) for name in self._names("main")}
-        return {name.casefold(): tuple(column for column, _ in info) for name, info in found.items()}
+        tables = {name: self._info(name) for name in self._names("main")}
+        return {name.casefold(): tuple(column for column, _ in info) for name, info in tables.items()}
 
     def close(self) -> None:
         super().close()
@@ -139,16 +139,16 @@ class SqliteDriver(DbapiDriver):
 
     def _info(self, table: str, schema: str | None = None) -> list[tuple[Any, ...]]:
         """Return the columns of a table: name and declared type."""
-        return self._asked("SELECT name, type FROM PRAGMA_TABLE_INFO(?, ?)", [table, schema])
+        return self._run("SELECT name, type FROM PRAGMA_TABLE_INFO(?, ?)", [table, schema])
 
     def _names(self, schema: str) -> list[str]:
         master = exp.Table(this=template.name("sqlite_master"), db=template.name(schema))
         names = exp.select("name").from_(master).where(exp.column("type").isin("table", "view"))
-        return [name for (name,) in self._asked(self.engine.text(names))]
+        return [name for (name,) in self._run(self.engine.text(names))]
 
     def _first_type(self, relation: exp.Expr, name: str) -> str:
         column = template.column(name)
         is_there = exp.Not(this=exp.Is(this=column.copy(), expression=exp.null()))
         first = exp.select(called("TYPEOF", column)).from_(relation.copy()).where(is_there).limit(1)
-        found = self._asked(self.engine.text(first))
-        return _DECLARED.get(found[0][0], "") if found else ""
+        rows = self._run(self.engine.text(first))
+        return _DECLARED.get(rows[0][0], "") if rows else ""

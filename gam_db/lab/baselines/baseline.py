@@ -58,7 +58,7 @@ class Learner:
     Attributes:
         baseline: which net.
         m: samples that it reads.
-        seed, effort, on_epoch, kept: see :func:`add_baseline`.
+        seed, effort, on_epoch, net_cache: see :func:`add_baseline`.
     """
 
     baseline: Baseline
@@ -66,7 +66,7 @@ class Learner:
     seed: int
     effort: Effort
     on_epoch: OnEpoch
-    kept: Nets | None
+    net_cache: Nets | None
 
     def scores(self, of: tuple[int, ...], learnt: Rows, following: Rows) -> NDArray[np.float64]:
         """Return the scores of rows in units of their mean over the learnt ones.
@@ -77,7 +77,7 @@ class Learner:
             following: rows to be scored.
         """
         mark = (self.baseline.build, self.m, self.seed, self.effort, *of)
-        net = None if self.kept is None else self.kept.get(mark)
+        net = None if self.net_cache is None else self.net_cache.get(mark)
         if net is None:
             effort = self.effort
             net = trained(
@@ -89,8 +89,8 @@ class Learner:
                 self.on_epoch,
                 effort.batch,
             )
-            if self.kept is not None:
-                self.kept[mark] = net
+            if self.net_cache is not None:
+                self.net_cache[mark] = net
         scores = scored(net, self.baseline.score, following)
         # A net that learns well has errors far below the 2^-20 in which scores are summed.
         usual = float(scored(net, self.baseline.score, learnt).mean())
@@ -115,7 +115,7 @@ def add_baseline(
     seed: int = 0,
     effort: Effort = FULL,
     on_epoch: OnEpoch = lambda epoch, loss: None,
-    kept: Nets | None = None,
+    net_cache: Nets | None = None,
 ) -> None:
     """Train a baseline and add its steps to a study: ``score_health`` and ``score_bucket_health``.
 
@@ -130,8 +130,8 @@ def add_baseline(
         seed: of weights and batches.
         effort: how long is trained.
         on_epoch: called with the epochs done and the mean loss of the last one.
-        kept: nets that were trained on the same calibration; a net that is there is not trained again,
-            and one that is trained is put there. None keeps none.
+        net_cache: nets that were trained on the same calibration; a net that is there is not trained
+            again, and one that is trained is put there. None keeps none.
 
     Raises:
         ParameterError: there is no such baseline.
@@ -154,12 +154,12 @@ def add_baseline(
         parts = []
         for support in np.unique(supports).tolist():
             rows = _rows(learnt, columns, supports == support)
-            of_one = to_score["support_id"].to_numpy() == support
-            following = _rows(to_score, columns, of_one)
-            learn = Learner(baseline, setting.m, seed, effort, on_epoch, kept)
+            of_support = to_score["support_id"].to_numpy() == support
+            following = _rows(to_score, columns, of_support)
+            learn = Learner(baseline, setting.m, seed, effort, on_epoch, net_cache)
             scores = learn.scores((number, support), rows, following)
-            own = to_score.select(["channel_id", "time"]).filter(pa.array(of_one))
-            parts.append(own.append_column("score", pa.array(scores)))
+            scored_rows = to_score.select(["channel_id", "time"]).filter(pa.array(of_support))
+            parts.append(scored_rows.append_column("score", pa.array(scores)))
         empty = to_score.select(["channel_id", "time"]).slice(0, 0)
         parts.append(empty.append_column("score", pa.array([], pa.float64())))
         study.load(study.method.named("scores", number), pa.concat_tables(parts))
@@ -194,18 +194,18 @@ def add_forecast_points(study: Study, number: int) -> list[str]:
 def _usable(study: Study, number: int, step: str, columns: list[str], forecasts: bool) -> pa.Table:
     """Return the points of a step that a net can read."""
     table = study.table(study.method.named(f"forecast_{step}" if forecasts else step, number))
-    kept = np.ones(table.num_rows, bool)
+    is_usable = np.ones(table.num_rows, bool)
     for column in columns:
-        kept &= ~np.isnan(table[column].fill_null(np.nan).to_numpy())
+        is_usable &= ~np.isnan(table[column].fill_null(np.nan).to_numpy())
     gap = study.method.gaps[number]
     if forecasts and gap is not None:
-        kept &= table["elapsed"].fill_null(gap + 1).to_numpy() <= gap
-    kept_rows = table.filter(pa.array(kept))
+        is_usable &= table["elapsed"].fill_null(gap + 1).to_numpy() <= gap
+    usable_rows = table.filter(pa.array(is_usable))
     if step == "scored_points":
-        return kept_rows
+        return usable_rows
     # Batches are drawn by place, so the order must be the same in every run.
-    return kept_rows.sort_by([("support_id", "ascending"), ("number", "ascending")])
+    return usable_rows.sort_by([("support_id", "ascending"), ("number", "ascending")])
 
 
-def _rows(table: pa.Table, columns: list[str], kept: NDArray[np.bool_]) -> Rows:
-    return np.column_stack([table[column].to_numpy()[kept] for column in columns])
+def _rows(table: pa.Table, columns: list[str], mask: NDArray[np.bool_]) -> Rows:
+    return np.column_stack([table[column].to_numpy()[mask] for column in columns])

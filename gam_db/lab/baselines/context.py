@@ -62,7 +62,7 @@ def add_long(
     seed: int,
     effort: Effort,
     on_epoch: OnEpoch = lambda epoch, loss: None,
-    kept: Nets | None = None,
+    net_cache: Nets | None = None,
 ) -> None:
     """Train a baseline of long contexts and add its steps to a study, as ``add_baseline`` does.
 
@@ -75,7 +75,7 @@ def add_long(
         seed: of weights and batches.
         effort: how long is trained.
         on_epoch: called with the epochs done and the mean loss of the last one.
-        kept: nets by what made them, see :func:`gam_db.lab.baselines.add_baseline`.
+        net_cache: nets by what made them, see :func:`gam_db.lab.baselines.add_baseline`.
 
     Raises:
         UserError: PyTorch is not installed.
@@ -103,15 +103,15 @@ def add_long(
             return np.asarray(contexts[places[places >= 0]])  # noqa: B023
 
         learnt = ending_at(_of(learnable, channel)["time"].to_numpy()[EVERY - 1 :: EVERY])
-        own = _of(scored, channel)
-        instants = own["time"].to_numpy()
+        scored_rows = _of(scored, channel)
+        instants = scored_rows["time"].to_numpy()
         if not len(learnt) or not len(instants):
             continue
         ends = np.append(instants[setting.bucket_length - 1 :: setting.bucket_length], instants[-1])
-        learn = Learner(long.baseline, length, seed, effort, on_epoch, kept)
+        learn = Learner(long.baseline, length, seed, effort, on_epoch, net_cache)
         scores = learn.scores((channel,), learnt, ending_at(ends))
         of_each = scores[np.arange(len(instants)) // setting.bucket_length]
-        parts.append(own.select(["channel_id", "time"]).append_column("score", _floats(of_each)))
+        parts.append(scored_rows.select(["channel_id", "time"]).append_column("score", _floats(of_each)))
     study.load(method.named("scores", 0), pa.concat_tables(parts))
     add_moving_average(study.steps, method, study.instant_of)
 

@@ -73,12 +73,12 @@ def measured(work: Callable[[], Mapping[str, Any] | None], server: str = "") -> 
         process in MiB.
     """
     started, used = time.perf_counter(), _processor_seconds(server)
-    found = dict(work() or {})
-    found["seconds"] = time.perf_counter() - started
-    found["processor_seconds"] = _processor_seconds(server) - used
+    figures = dict(work() or {})
+    figures["seconds"] = time.perf_counter() - started
+    figures["processor_seconds"] = _processor_seconds(server) - used
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    found["peak_memory"] = peak / 2**20 if sys.platform == "darwin" else peak / 2**10
-    return found
+    figures["peak_memory"] = peak / 2**20 if sys.platform == "darwin" else peak / 2**10
+    return figures
 
 
 def _processor_seconds(server: str) -> float:
@@ -86,7 +86,7 @@ def _processor_seconds(server: str) -> float:
 
     Of others than this one only Linux tells.
     """
-    own = time.process_time()
+    processor_time = time.process_time()
     parents: dict[int, int] = {}
     used: dict[int, float] = {}
     of_server = set()
@@ -104,8 +104,8 @@ def _processor_seconds(server: str) -> float:
             of_server.add(int(number))
     mine = os.getpid()
     ended = resource.getrusage(resource.RUSAGE_CHILDREN)
-    counted = {one for one in parents if _descends(one, mine, parents)} | of_server
-    return own + ended.ru_utime + ended.ru_stime + sum(used[one] for one in counted)
+    counted = {process for process in parents if _descends(process, mine, parents)} | of_server
+    return processor_time + ended.ru_utime + ended.ru_stime + sum(used[process] for process in counted)
 
 
 def _descends(process: int, ancestor: int, parents: Mapping[int, int]) -> bool:

@@ -11,7 +11,7 @@ from gam_db.cli import options, page
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.lab.benchmark import report
 from gam_db.lab.benchmark.measure import Listener, Plan, measure
-from gam_db.lab.benchmark.one_run import PROGRAMS
+from gam_db.lab.benchmark.program_run import PROGRAMS
 from gam_db.lab.benchmark.workload import ORDERS
 
 
@@ -43,10 +43,10 @@ def benchmark(
         explain=explain,
     )
     figures = shown(plan.runs, lambda on_run: measure(plan, on_run))
-    told(figures, report.lines, as_json)
+    print_figures(figures, report.lines, as_json)
 
 
-def told(
+def print_figures(
     figures: dict[str, Any], lines: Callable[[dict[str, Any]], Iterable[str]], as_json: bool
 ) -> None:
     """Print figures as JSON, or the lines that are made of them."""
@@ -78,7 +78,7 @@ def _parts(option: str, text: str) -> list[str]:
     return list(dict.fromkeys(parts))
 
 
-def chosen(option: str, text: str, known: Sequence[str]) -> list[str]:
+def chosen(option: str, text: str, allowed: Sequence[str]) -> list[str]:
     """Return the parts of an option's text, all of which must be known.
 
     Raises:
@@ -86,8 +86,8 @@ def chosen(option: str, text: str, known: Sequence[str]) -> list[str]:
     """
     parts = _parts(option, text)
     for part in parts:
-        if part not in known:
-            raise ConfigurationError(f"--{option} does not know {part!r}{nearest(part, known)}")
+        if part not in allowed:
+            raise ConfigurationError(f"--{option} does not know {part!r}{nearest(part, allowed)}")
     return parts
 
 

@@ -10,7 +10,7 @@ from gam_db.cli import options
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.lab.benchmark import stored_report
 from gam_db.lab.benchmark.alarms.cli import alarms, programs
-from gam_db.lab.benchmark.cli import benchmark, chosen, counts, shown, told
+from gam_db.lab.benchmark.cli import benchmark, chosen, counts, print_figures, shown
 from gam_db.lab.benchmark.engines import EMBEDDED, EnginesPlan, measure_engines
 from gam_db.lab.benchmark.incremental import IncrementalPlan, measure_incremental
 from gam_db.lab.benchmark.memory import MemoryPlan, measure_memory
@@ -40,7 +40,7 @@ def incremental(
             f"--rows is {rows!r}; it takes two different numbers, such as 10000000,100000000."
         )
     plan = IncrementalPlan((sizes[0], sizes[1]), channels, repeat, threads)
-    told(
+    print_figures(
         shown(plan.runs, lambda on_run: measure_incremental(plan, on_run)),
         stored_report.incremental_lines,
         as_json,
@@ -59,7 +59,7 @@ def memory(
     Everything is simulated and stays in a temporary folder (about 1 GB at the default size).
     """
     plan = MemoryPlan(rows, channels, memory_limit, threads)
-    told(
+    print_figures(
         shown(plan.runs, lambda on_run: measure_memory(plan, on_run)),
         stored_report.memory_lines,
         as_json,
@@ -85,7 +85,7 @@ def stored(
         tuple(counts("threads", threads)),
         tuple(chosen("order", order, list(ORDERS))),
     )
-    told(
+    print_figures(
         shown(plan.runs, lambda on_run: measure_stored(plan, on_run)),
         stored_report.stored_lines,
         as_json,
@@ -119,7 +119,7 @@ def engines(
                 "A password in an address would be seen by all who list processes; put it into the "
                 "environment (PGPASSWORD, CLICKHOUSE_PASSWORD)."
             )
-    told(
+    print_figures(
         shown(plan.runs, lambda on_run: measure_engines(plan, on_run)),
         stored_report.engines_lines,
         as_json,

@@ -84,11 +84,11 @@ def _gam(session: Session, job: EngineJob) -> dict[str, Any]:
     """Compute the buckets in the engine, into a table of it."""
     steps = Steps()
     source = gam_db.Source(job.table("telemetry").name, time="t")
-    asked = ["bucket_health"]
+    targets = ["bucket_health"]
     study = Study(
-        session, source, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True, asked=asked
+        session, source, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True, targets=targets
     )
-    query = study.query(*asked).copy()
+    query = study.query(*targets).copy()
     query.set("order", None)
     steps.begin("bucket_health")
     _append(session, job.table("gam"), query, True)
@@ -115,9 +115,9 @@ def _extract(session: Session, job: EngineJob) -> dict[str, Any]:
         masked = {name: pa.array(of_buckets[name], mask=not_full) for name in ("novel_in_window", "hi")}
         buckets.append(pa.table({**names, **of_buckets, **masked}))
     steps.begin("write")
-    made = pa.concat_tables(buckets)
-    with session.lent(made) as lent:
-        _append(session, job.table("extract"), exp.select(*made.column_names).from_(lent), True)
+    bucket_table = pa.concat_tables(buckets)
+    with session.lent(bucket_table) as lent:
+        _append(session, job.table("extract"), exp.select(*bucket_table.column_names).from_(lent), True)
     steps.begin("")
     return {"steps": dict(steps.seconds)}
 

@@ -112,18 +112,18 @@ def _buckets(times: NDArray[np.int64], novel: NDArray[np.bool_], strange: NDArra
 
 
 def _novel_cells(times: NDArray[np.int64], novel: NDArray[np.bool_], keys: NDArray[np.int32]) -> Columns:
-    found = np.flatnonzero(novel)
-    buckets = found // STRIDE
-    both = buckets * RADIX**3 + keys[found]
+    novel_places = np.flatnonzero(novel)
+    buckets = novel_places // STRIDE
+    both = buckets * RADIX**3 + keys[novel_places]
     order = np.argsort(both, kind="stable")
     both = both[order]
     starts = np.flatnonzero(np.diff(both, prepend=-1))
     ends = np.append(starts, len(both))[1:]
-    firsts = found[order[starts]]
+    firsts = novel_places[order[starts]]
     return {
         "bucket_no": buckets[order[starts]],
         "cell_key": keys[firsts].astype(np.int64),
         "visits": ends - starts,
         "first_time": times[firsts],
-        "last_time": times[found[order[ends - 1]]],
+        "last_time": times[novel_places[order[ends - 1]]],
     }

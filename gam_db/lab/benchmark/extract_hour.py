@@ -38,7 +38,7 @@ def run(connection: duckdb.DuckDBPyConnection, lookback: int) -> dict[str, int]:
     for asset, channel, count in connection.execute(statement("hour_lengths", since)).fetchall():
         places[asset, channel] = slice(end, end + count)
         end += count
-    known = np.zeros(RADIX**3, bool)
+    in_support = np.zeros(RADIX**3, bool)
     buckets, cells = [], []
     for version, asset, channel, support_id, lo, hi, first, context, last in versions:
         mine = places[asset, channel]
@@ -54,20 +54,22 @@ def run(connection: duckdb.DuckDBPyConnection, lookback: int) -> dict[str, int]:
         full = int(new.sum()) // STRIDE * STRIDE
         time, keys, strange = time[2:][new][:full], keys[new][:full], strange[new][:full]
         mine = _of(support["support_id"], support_id)
-        known[support["cell_key"][mine]] = True
-        novel = ~known[keys]
-        known[support["cell_key"][mine]] = False
+        in_support[support["cell_key"][mine]] = True
+        novel = ~in_support[keys]
+        in_support[support["cell_key"][mine]] = False
         before = past["novel"][_of(past["version_id"], version)]
         buckets.append(_buckets(version, first, time, novel, strange, before))
-        found = _novel_cells(time, novel, keys)
-        found["bucket_no"] = found["bucket_no"] + first
-        cells.append(pa.table({"version_id": np.full(len(found["visits"]), version), **found}))
-    made, strangers = pa.concat_tables(buckets), pa.concat_tables(cells)
+        novel_cells = _novel_cells(time, novel, keys)
+        novel_cells["bucket_no"] = novel_cells["bucket_no"] + first
+        cells.append(
+            pa.table({"version_id": np.full(len(novel_cells["visits"]), version), **novel_cells})
+        )
+    bucket_table, strangers = pa.concat_tables(buckets), pa.concat_tables(cells)
     connection.begin()
-    connection.from_arrow(made).create("extract_bucket")
+    connection.from_arrow(bucket_table).create("extract_bucket")
     connection.from_arrow(strangers).create("extract_novel")
     connection.commit()
-    return {"new_buckets": made.num_rows, "new_cells": strangers.num_rows}
+    return {"new_buckets": bucket_table.num_rows, "new_cells": strangers.num_rows}
 
 
 def _of(keys: NDArray[np.int64], key: int) -> slice:

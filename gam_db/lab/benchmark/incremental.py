@@ -115,7 +115,7 @@ def measure_incremental(plan: IncrementalPlan, on_run: Listener = lambda _: None
             task = "compare_hour" if side == "script" else "explain"
             explained[side] = _on_copy(done, job, folder, side, task)
     sides = {side: _side(plan, side, runs[side], explained[side]) for side in SIDES}
-    processor = {side: one["processor_seconds"] for side, one in sides.items()}
+    processor = {side: figures["processor_seconds"] for side, figures in sides.items()}
     return {
         "workload": {
             "channels": plan.channels,
@@ -195,8 +195,8 @@ def _side(
         for key in ("channels", "parked", "queries", "rows_in_range", "new_buckets", "new_cells")
         if key in runs[0]
     ]
-    for one in runs[1:]:
-        if any(one[key] != runs[0][key] for key in same):
+    for run in runs[1:]:
+        if any(run[key] != runs[0][key] for key in same):
             raise InternalError(f"Two runs of the side {side} did not do the same.")
     return {
         "seconds": spread(runs, "seconds", 4),

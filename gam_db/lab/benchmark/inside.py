@@ -48,9 +48,9 @@ class ProfiledSession(DuckSession):
 
     def keep(self, step: str, query: exp.Query) -> exp.Table:
         """Do so, and keep the profile."""
-        kept = super().keep(step, query)
+        table = super().keep(step, query)
         self._note()
-        return kept
+        return table
 
     def fetch(self, query: exp.Expr) -> pa.Table:
         """Do so, and keep the profile."""
@@ -98,7 +98,7 @@ def explain(source: Path, result: Path, threads: int) -> list[dict[str, Any]]:
 def _write(session: DuckSession, result: Path, steps: Steps) -> None:
     table = gam_db.Source("readings", time="t")
     study = Study(
-        session, table, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True, asked=RESULTS
+        session, table, PARAMETERS, CALIBRATION, on_step=steps.begin, short_cuts=True, targets=RESULTS
     )
     for step in RESULTS:
         study.write(step, result, step)

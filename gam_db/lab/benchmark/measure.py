@@ -13,7 +13,7 @@ from typing import Any
 
 import gam_db
 from gam_db.lab.benchmark import alone, inside
-from gam_db.lab.benchmark.one_run import PROGRAMS, Job
+from gam_db.lab.benchmark.program_run import PROGRAMS, Job
 from gam_db.lab.benchmark.workload import ORDERS
 
 Listener = Callable[[str], None]
@@ -150,7 +150,7 @@ def ratio(figures: dict[str, dict[str, Any]], above: str, below: str, key: str) 
 
 def median_steps(runs: list[dict[str, Any]], key: str = "steps") -> dict[str, float]:
     """Return the median seconds of each step of several runs."""
-    return {step: round(statistics.median(one[key][step] for one in runs), 4) for step in runs[0][key]}
+    return {step: round(statistics.median(run[key][step] for run in runs), 4) for step in runs[0][key]}
 
 
 def run_alone(job: Job) -> dict[str, Any]:
@@ -159,7 +159,7 @@ def run_alone(job: Job) -> dict[str, Any]:
     Raises:
         InternalError: it failed; the message is the last line that it wrote.
     """
-    return alone.run("one_run", job.task, job.text())
+    return alone.run("program_run", job.task, job.text())
 
 
 def _case(plan: Plan, folder: str, order: str, threads: int, on_run: Listener) -> dict[str, Any]:

@@ -68,21 +68,21 @@ def measure_memory(plan: MemoryPlan, on_run: Listener = lambda _: None) -> dict[
             memory_limit=plan.memory_limit,
         )
         on_run("making the telemetry")
-        made = job.run()
+        telemetry = job.run()
         on_run(f"calibrating and scoring under {plan.memory_limit}")
-        found = replace(job, task="from_nothing").run()
+        figures = replace(job, task="from_nothing").run()
     rows = job.channels * (job.history + HOUR)
     return {
         "workload": {
             "channels": plan.channels,
             "rows": rows,
-            "source_bytes": made["bytes"],
+            "source_bytes": telemetry["bytes"],
             **parameters(),
         },
         "memory_limit": plan.memory_limit,
         "threads": plan.threads,
         **circumstances(),
         "meaning": list(MEANING),
-        "rows_per_second": round(rows / found["seconds"]),
-        **found,
+        "rows_per_second": round(rows / figures["seconds"]),
+        **figures,
     }

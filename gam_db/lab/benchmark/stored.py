@@ -15,7 +15,7 @@ from gam_db.lab.benchmark.measure import (
     run_alone,
     spread,
 )
-from gam_db.lab.benchmark.one_run import Job
+from gam_db.lab.benchmark.program_run import Job
 from gam_db.lab.benchmark.stored_run import StoredJob
 from gam_db.lab.benchmark.workload import ORDERS
 

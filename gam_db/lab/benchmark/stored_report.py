@@ -22,18 +22,18 @@ def incremental_lines(figures: dict[str, Any]) -> Iterator[str]:
     yield from _circumstances(figures)
     yield ""
     yield _title("side") + f"{'in range':>12}{'scanned':>12}"
-    for side, one in figures["sides"].items():
+    for side, row in figures["sides"].items():
         yield (
-            _row(side, one["seconds"], one["processor_seconds"], one["peak_memory"])
-            + "".join(f"{one.get(name, 0):12,}" for name in ("rows_in_range", "rows_scanned"))
+            _row(side, row["seconds"], row["processor_seconds"], row["peak_memory"])
+            + "".join(f"{row.get(name, 0):12,}" for name in ("rows_in_range", "rows_scanned"))
         )
     for name in RATIOS:
         yield f"  {name:26}{figures['ratios'][name]:10.3f}  (aim: {figures['aim']})"
     for name, gain in figures["gains"].items():
         yield f"  {name:26}{gain:10.3f}  (aim: at least {figures['gain_aims'][name]})"
-    for side, one in figures["sides"].items():
-        if one["steps"]:
-            yield f"  seconds by step, {side}: {_steps(one['steps'])}"
+    for side, row in figures["sides"].items():
+        if row["steps"]:
+            yield f"  seconds by step, {side}: {_steps(row['steps'])}"
 
 
 def memory_lines(figures: dict[str, Any]) -> Iterator[str]:

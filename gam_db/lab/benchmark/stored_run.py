@@ -180,14 +180,14 @@ def _extract(job: StoredJob) -> dict[str, Any]:
 
 def _compare_hour(job: StoredJob) -> dict[str, Any]:
     """Compare what the extract script writes with what is scored, integer by integer."""
-    found = _extract(job)
+    figures = _extract(job)
     with _session(job) as session:
         _monitor(job, session).score()
     with opened(Path(job.state), read_only=True) as connection:
         ((missed,),) = connection.execute(statement("hour_missed")).fetchall()
     if missed:
         raise InternalError(f"The stored form and the extract script disagree in {missed} rows.")
-    return found
+    return figures
 
 
 def _explain(job: StoredJob) -> dict[str, Any]:
@@ -212,9 +212,9 @@ def _scans(profile: dict[str, Any]) -> Iterator[dict[str, Any]]:
     while pending:
         operator = pending.pop()
         pending.extend(operator.get("children", ()))
-        said = operator["extra_info"]
-        if str(said.get("Table", "")).startswith("telemetry."):
-            filters = said.get("Filters", [])
+        details = operator["extra_info"]
+        if str(details.get("Table", "")).startswith("telemetry."):
+            filters = details.get("Filters", [])
             yield {
                 "rows_scanned": operator.get("rows_scanned", 0),
                 "rows_found": operator["intermediate_rows"],
@@ -268,7 +268,7 @@ def _exact_whole(job: StoredJob) -> dict[str, Any]:
     result.unlink(missing_ok=True)
     source = gam_db.Source("readings", time="t")
     with opened(Path(job.source), job.threads) as connection, DuckSession(connection) as session:
-        study = Study(session, source, PARAMETERS, CALIBRATION, short_cuts=True, asked=WHOLE)
+        study = Study(session, source, PARAMETERS, CALIBRATION, short_cuts=True, targets=WHOLE)
         for step in WHOLE:
             study.write(step, result, step)
     return {}

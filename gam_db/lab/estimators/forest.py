@@ -48,8 +48,8 @@ def fit(points: Mapping[int, Points], seed: int) -> dict[str, pa.Table]:
     trees: dict[int, Columns] = {}
     nodes: dict[int, Columns] = {}
     first = 0
-    for support, of_one in points.items():
-        forest = model(of_one, seed)
+    for support, support_points in points.items():
+        forest = model(support_points, seed)
         grown = []
         roots = []
         for estimator in forest.estimators_:
@@ -92,18 +92,18 @@ def widened(thresholds: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _nodes(tree: Any, first: int) -> Columns:
     count = tree.node_count
-    own = np.arange(count)
+    numbers = np.arange(count)
     depth = np.zeros(count, np.int64)
     leaf = tree.children_left < 0
-    for node in own[~leaf]:  # a child comes after its parent
+    for node in numbers[~leaf]:  # a child comes after its parent
         depth[[tree.children_left[node], tree.children_right[node]]] = depth[node] + 1
     path = depth + average_path(tree.n_node_samples)
     return {
-        "node": first + own,
+        "node": first + numbers,
         "axis": np.where(leaf, 0, tree.feature),
         "threshold": np.where(leaf, 0.0, widened(tree.threshold)),
-        "lower_node": first + np.where(leaf, own, tree.children_left),
-        "upper_node": first + np.where(leaf, own, tree.children_right),
+        "lower_node": first + np.where(leaf, numbers, tree.children_left),
+        "upper_node": first + np.where(leaf, numbers, tree.children_right),
         "path_units": np.floor(path * PATH_UNITS + 0.5).astype(np.int64),
     }
 
@@ -112,7 +112,7 @@ def add_scores(steps: Pipeline, method: Method, number: int) -> None:
     """Add the way from the roots to the leaves, a step per level, and the mean path."""
     point = {"point": point_of(method, number)}
     OfSet(steps, method, number).add("lab/estimators/forest_start", point, name="forest_level_0")
-    asked = exp.Case(
+    coordinate = exp.Case(
         ifs=[
             exp.If(
                 this=exp.EQ(this=exp.column("axis", table="fork"), expression=exp.Literal.number(k)),
@@ -124,7 +124,7 @@ def add_scores(steps: Pipeline, method: Method, number: int) -> None:
     for level in range(LEVELS):
         OfSet(steps, method, number).add(
             "lab/estimators/forest_step",
-            {**point, "coordinate": asked},
+            {**point, "coordinate": coordinate},
             name=f"forest_level_{level + 1}",
             tables={"walk": f"forest_level_{level}"},
         )

@@ -72,5 +72,5 @@ def squared_distance(method: Method, number: int, place: str) -> exp.Expr:
         for x, other in pairs
     ]
     return template.added(
-        [template.fill("lab/estimators/squared", {"difference": one}) for one in apart]
+        [template.fill("lab/estimators/squared", {"difference": difference}) for difference in apart]
     )

@@ -31,10 +31,10 @@ def steps(k: int) -> int:
     Raises:
         SourceError: there are too many values.
     """
-    found = 1 << (largest_range(k).bit_length() - 1) if k <= _MOST_VALUES else 0
-    if found < _COARSEST:
+    count = 1 << (largest_range(k).bit_length() - 1) if k <= _MOST_VALUES else 0
+    if count < _COARSEST:
         raise SourceError(_too_long(k))
-    return found
+    return count
 
 
 def check_counts(k: int, spread: int) -> None:

@@ -146,35 +146,35 @@ def evaluate(
     )
     session = connect(database, threads, writable=False)
     with working(session) as on_step:
-        found = evaluated(session, health, outcomes, conventions, on_step)
-    figures = {"health": health, "outcomes": outcomes, "conventions": conventions, **vars(found)}
+        evaluation = evaluated(session, health, outcomes, conventions, on_step)
+    figures = {"health": health, "outcomes": outcomes, "conventions": conventions, **vars(evaluation)}
 
     def page_of(out: Console) -> None:
-        show(out, health, found, conventions, everything)
+        show(out, health, evaluation, conventions, everything)
 
     page.tell(figures, page_of, options.Common(as_json=as_json))
 
 
 def show(
-    out: Console, name: str, found: Evaluation, conventions: Conventions, everything: bool = False
+    out: Console, name: str, evaluation: Evaluation, conventions: Conventions, everything: bool = False
 ) -> None:
     """Print an evaluation.
 
     Args:
         out: where to.
         name: of the table, for the heading.
-        found: what was found.
+        evaluation: what is printed.
         conventions: of the metrics.
         everything: show every channel, however many there are.
     """
     order = {"failed": 0, "healthy": 1, None: 2}
-    rows: list[Row] = sorted(found.channels.to_pylist(), key=lambda row: order[row["outcome"]])
-    page.say(out, *_heading(name, rows, found.unmatched))
-    if found.stride > 1:
+    rows: list[Row] = sorted(evaluation.channels.to_pylist(), key=lambda row: order[row["outcome"]])
+    page.say(out, *_heading(name, rows, evaluation.unmatched))
+    if evaluation.stride > 1:
         page.say(
             out,
-            f"a row per vector: the values at the end of each bucket of {found.stride:,} are taken; "
-            "--stride N for others, --stride 1 for all",
+            f"a row per vector: the values at the end of each bucket of {evaluation.stride:,} are "
+            "taken; --stride N for others, --stride 1 for all",
         )
     out.print()
     shown = rows if everything else rows[: options.SHOWN]
@@ -184,7 +184,7 @@ def show(
     page.remarks(out, ((name_of(row), _remarks(row)) for row in shown), everything)
     page.cut(out, rows, everything)
     out.print()
-    page.table(out, found.summary.to_pylist(), _summary(conventions), left=("over",))
+    page.table(out, evaluation.summary.to_pylist(), _summary(conventions), left=("over",))
     out.print()
     page.say(out, _legend(rows, conventions))
 
@@ -234,12 +234,12 @@ def _is_chance(row: Row) -> bool:
 
 
 def _remarks(row: Row) -> list[str]:
-    told: dict[str, list[str]] = {}
+    metrics_by_reason: dict[str, list[str]] = {}
     for metric in ("mon", "corr", "rob"):
         reason = row[f"{metric}_reason"]
         if reason is not None:
-            told.setdefault(reason, []).append(_TITLES[metric])
-    return [f"{', '.join(metrics)}: {_REASONS[reason]}" for reason, metrics in told.items()]
+            metrics_by_reason.setdefault(reason, []).append(_TITLES[metric])
+    return [f"{', '.join(metrics)}: {_REASONS[reason]}" for reason, metrics in metrics_by_reason.items()]
 
 
 def _summary(conventions: Conventions) -> dict[str, page.Cell]:

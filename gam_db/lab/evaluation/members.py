@@ -93,8 +93,8 @@ def outcomes_of(session: Session, relation: Any, kind: TimeKind | None) -> list[
     if "failed_at" not in columns and "healthy" not in columns:
         raise SourceError("The outcomes need a column 'failed_at', a column 'healthy', or both.")
     if "failed_at" in columns:
-        said = Source(relation, None, None, "failed_at", "failed_at")
-        node = with_times_read(session, said, columns, node)
+        source = Source(relation, None, None, "failed_at", "failed_at")
+        node = with_times_read(session, source, columns, node)
     failed = columns.get("failed_at")
     types = session.engine.types
     failed_kind = None if failed is None else types.time_kind(failed)
@@ -122,7 +122,7 @@ def outcomes_of(session: Session, relation: Any, kind: TimeKind | None) -> list[
     outcomes = [_outcome(row) for row in rows]
     twice = [
         name
-        for name, count in Counter((one.asset, one.channel) for one in outcomes).items()
+        for name, count in Counter((outcome.asset, outcome.channel) for outcome in outcomes).items()
         if count > 1
     ]
     if twice:
@@ -154,14 +154,18 @@ def members(
     rows = sorted(rows, key=lambda row: (row["asset"], row["channel"]))
     numbers = {asset: n for n, asset in enumerate(dict.fromkeys(row["asset"] for row in rows), 1)}
     channels = Counter(row["asset"] for row in rows)
-    named = {(one.asset, one.channel): one for one in outcomes or ()}
-    for one in outcomes or ():
-        if not one.healthy and one.channel is None and channels[one.asset] > 1:
+    named = {(outcome.asset, outcome.channel): outcome for outcome in outcomes or ()}
+    for asset_outcome in outcomes or ():
+        if (
+            not asset_outcome.healthy
+            and asset_outcome.channel is None
+            and channels[asset_outcome.asset] > 1
+        ):
             raise SourceError(
                 "A failed asset with several channels is judged by the one that failed; name it in the "
                 "column 'channel' of the outcomes."
             )
-    found = []
+    series = []
     for number, row in enumerate(rows, 1):
         name = (row["asset"], row["channel"])
         outcome = named.get(name) or named.get((row["asset"], None))
@@ -170,7 +174,7 @@ def members(
             stratum = CALM if outcome.healthy else TRENDING
         if table.counts:
             check_counts(row["hi_values"], (row["highest_count"] or 0) - (row["lowest_count"] or 0))
-        found.append(
+        series.append(
             Member(
                 series_id=number,
                 asset=row["asset"],
@@ -185,17 +189,17 @@ def members(
                 window=_window(row),
             )
         )
-    return found
+    return series
 
 
-def unmatched(outcomes: list[Outcome], found: list[Member]) -> int:
+def unmatched(outcomes: list[Outcome], series: list[Member]) -> int:
     """Return how many outcomes speak of no channel that there is."""
-    names: set[tuple[str, str | None]] = {(one.asset, one.channel) for one in found}
-    names |= {(one.asset, None) for one in found}
-    return sum((one.asset, one.channel) not in names for one in outcomes)
+    names: set[tuple[str, str | None]] = {(member.asset, member.channel) for member in series}
+    names |= {(member.asset, None) for member in series}
+    return sum((outcome.asset, outcome.channel) not in names for outcome in outcomes)
 
 
-def as_table(found: list[Member]) -> pa.Table:
+def as_table(series: list[Member]) -> pa.Table:
     """Return the members as the step *members*."""
     integers = (
         "series_id",
@@ -206,10 +210,13 @@ def as_table(found: list[Member]) -> pa.Table:
         "steps",
         "values_per_window",
     )
-    columns = {name: pa.array([getattr(one, name) for one in found], pa.int64()) for name in integers}
+    columns = {
+        name: pa.array([getattr(member, name) for member in series], pa.int64()) for name in integers
+    }
     texts = ("asset", "channel", "outcome")
     return pa.table(
-        columns | {name: pa.array([getattr(one, name) for one in found], pa.string()) for name in texts}
+        columns
+        | {name: pa.array([getattr(member, name) for member in series], pa.string()) for name in texts}
     )
 
 

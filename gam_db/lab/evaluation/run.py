@@ -22,7 +22,7 @@ from gam_db.lab.evaluation.capacity import POINTS
 from gam_db.lab.evaluation.conventions import Conventions
 from gam_db.lab.evaluation.members import Member, Outcome, as_table, members, outcomes_of, unmatched
 from gam_db.lab.evaluation.steps import (
-    KEPT,
+    TABLE_STEPS,
     chance_steps,
     evaluation_steps,
     looking_steps,
@@ -120,61 +120,61 @@ def evaluated(
 ) -> Evaluation:
     """Evaluate in an open session; ``on_step`` is called with the name of each step before it is run."""
     table = health_table(session, health)
-    known: list[Outcome] | None = None
+    outcome_rows: list[Outcome] | None = None
     if outcomes is not None:
-        known = outcomes_of(session, outcomes, table.kind)
+        outcome_rows = outcomes_of(session, outcomes, table.kind)
 
     stride = _stride(session, table, conventions.stride) if table.vectors else 1
     look = looking_steps(table.indicator, stride)
     on_step("indicator")
     indicator = session.keep("indicator", look.query("indicator"))
     rows = session.fetch(look.query("candidates", {"indicator": indicator})).to_pylist()
-    found = members(rows, table, known, conventions.values_per_window, stride)
-    if known and unmatched(known, found) == len(known):
+    series = members(rows, table, outcome_rows, conventions.values_per_window, stride)
+    if outcome_rows and unmatched(outcome_rows, series) == len(outcome_rows):
         raise SourceError("The outcomes speak of no asset or channel of the health indicators.")
-    units = sampling.units(sampling.largest_weight(found))
-    steps = evaluation_steps(conventions, table.counts, units, known is not None)
-    placed = {
+    units = sampling.units(sampling.largest_weight(series))
+    steps = evaluation_steps(conventions, table.counts, units, outcome_rows is not None)
+    tables = {
         "indicator": indicator,
-        "members": _given(session, as_table(found)),
-        "drawings": _given(session, sampling.drawings(found, conventions)),
-        "life_shares": _given(session, _life_shares()),
+        "members": _relation(session, as_table(series)),
+        "drawings": _relation(session, sampling.drawings(series, conventions)),
+        "life_shares": _relation(session, _life_shares()),
     }
-    for step in KEPT:
+    for step in TABLE_STEPS:
         on_step(step)
-        placed[step] = session.keep(step, steps.query(step, placed))
-    rates = session.fetch(steps.query("rates", placed))
+        tables[step] = session.keep(step, steps.query(step, tables))
+    rates = session.fetch(steps.query("rates", tables))
     on_step("chance")
-    placed["chance"] = _given(session, _chance(session, found, rates, table.counts, conventions))
+    tables["chance"] = _relation(session, _chance(session, series, rates, table.counts, conventions))
     on_step("summary")
-    channels = session.fetch(steps.query("channel_summary", placed))
+    channels = session.fetch(steps.query("channel_summary", tables))
     # A column called corr is refused by some engines.
     names = ["corr" if name == "corr_size" else name for name in channels.column_names]
     return Evaluation(
         channels.rename_columns(names),
-        session.fetch(steps.query("fleet_summary", placed)),
-        0 if known is None else unmatched(known, found),
+        session.fetch(steps.query("fleet_summary", tables)),
+        0 if outcome_rows is None else unmatched(outcome_rows, series),
         stride,
     )
 
 
-def _stride(session: Session, table: HealthTable, asked: int | None) -> int:
+def _stride(session: Session, table: HealthTable, stride: int | None) -> int:
     """Return how many vectors a bucket of the table has, by default as for ``gam run``."""
-    if asked is not None:
-        return asked
+    if stride is not None:
+        return stride
     lengths = session.fetch(window_steps(table.indicator).query("window_lengths"))
     return math.gcd(LONGEST_STRIDE, *lengths["vectors_in_window"].to_pylist())
 
 
 def _chance(
-    session: Session, found: list[Member], rates: pa.Table, counts: bool, conventions: Conventions
+    session: Session, series: list[Member], rates: pa.Table, counts: bool, conventions: Conventions
 ) -> pa.Table:
     """Return the step *chance*: a row per series, with its chance level or why it has none."""
-    known = {row["series_id"]: row for row in rates.to_pylist()}
+    rates_by_series = {row["series_id"]: row for row in rates.to_pylist()}
     reasons: list[dict[str, Any]] = []
     drawn: list[tuple[Member, int, int | None]] = []
-    for member in found:
-        row = known.get(member.series_id, {"k": 0, "novel_sum": None})
+    for member in series:
+        row = rates_by_series.get(member.series_id, {"k": 0, "novel_sum": None})
         novel_sum = row["novel_sum"] if counts else None
         reason = (
             sampling.no_chance(member, row["k"], novel_sum) if conventions.surrogates else "not_asked"
@@ -189,15 +189,15 @@ def _chance(
     steps = chance_steps(conventions, sampling.units(conventions.surrogates))
     for batch in sampling.batches(drawn, conventions):
         with session.lent(batch.selected) as selected, session.lent(batch.surrogates) as surrogates:
-            placed = {"selected": selected, "surrogates": surrogates}
-            levels = session.fetch(steps.query("chance_levels", placed))
+            tables = {"selected": selected, "surrogates": surrogates}
+            levels = session.fetch(steps.query("chance_levels", tables))
         parts.append(
             levels.append_column("chance_reason", pa.nulls(len(levels), pa.string())).cast(_CHANCE)
         )
     return pa.concat_tables(parts)
 
 
-def _given(session: Session, table: pa.Table) -> exp.Table:
+def _relation(session: Session, table: pa.Table) -> exp.Table:
     return cast(exp.Table, session.relation(table))
 
 

@@ -85,14 +85,14 @@ def surrogates(
     return so_far[:, width:] - so_far[:, :-width]
 
 
-def drawings(found: list[Member], conventions: Conventions) -> pa.Table:
+def drawings(series: list[Member], conventions: Conventions) -> pa.Table:
     """Return the step *drawings*: how often each asset stands in each drawing, by stratum.
 
     Drawing 0 is the fleet as it is. Failed and healthy assets are drawn apart, as many as there are.
     """
     columns: list[NDArray[np.int64]] = []
-    for stratum in sorted({one.stratum for one in found} - {ASIDE}):
-        assets = np.array(sorted({one.asset_no for one in found if one.stratum == stratum}))
+    for stratum in sorted({member.stratum for member in series} - {ASIDE}):
+        assets = np.array(sorted({member.asset_no for member in series if member.stratum == stratum}))
         generator = np.random.default_rng([conventions.seed, stratum])
         shares = np.full(len(assets), 1 / len(assets))
         weights = generator.multinomial(len(assets), shares, conventions.samples)
@@ -111,11 +111,11 @@ def units(largest_weight: int) -> int:
     return 1 << (61 - math.ceil(math.log2(max(largest_weight, 1))))
 
 
-def largest_weight(found: list[Member]) -> int:
+def largest_weight(series: list[Member]) -> int:
     """Return the most series that a drawing can hold: every asset the one with the most channels."""
     largest = 1
-    for stratum in {one.stratum for one in found} - {ASIDE}:
-        channels = Counter(one.asset_no for one in found if one.stratum == stratum)
+    for stratum in {member.stratum for member in series} - {ASIDE}:
+        channels = Counter(member.asset_no for member in series if member.stratum == stratum)
         largest = max(largest, len(channels) * max(channels.values()))
     return largest
 

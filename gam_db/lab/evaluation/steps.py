@@ -11,7 +11,7 @@ from gam_db.lab.evaluation.conventions import Conventions
 from gam_db.method.adding import add, add_stacked
 
 #: Steps that others read more than once, and the last ones before the results: kept on the way.
-KEPT = ("centred", "moments", "prefixes", "series_metrics")
+TABLE_STEPS = ("centred", "moments", "prefixes", "series_metrics")
 
 #: Parts of a series' chance level: their numbers and columns.
 _TREND_PARTS = ((0, "mon"), (1, "corr_size"), (2, "rob"))
@@ -63,7 +63,7 @@ def series_steps(conventions: Conventions, counts: bool) -> Pipeline:
         conventions: forms of the metrics.
         counts: whether the indicator is a count of novel vectors.
     """
-    steps = Pipeline(small=frozenset((*KEPT, "part_means")))
+    steps = Pipeline(small=frozenset((*TABLE_STEPS, "part_means")))
     _add_series(steps, conventions, counts)
     return steps
 
@@ -90,7 +90,7 @@ def evaluation_steps(conventions: Conventions, counts: bool, units: int, reasons
         units: in which shares are counted; see :func:`gam_db.lab.evaluation.sampling.units`.
         reasons: whether outcomes are known at all.
     """
-    steps = Pipeline(small=frozenset((*KEPT, "part_means", "life_points", "fleet_metrics")))
+    steps = Pipeline(small=frozenset((*TABLE_STEPS, "part_means", "life_points", "fleet_metrics")))
     add(steps, "lab/evaluation/selected")
     add(steps, "lab/evaluation/rates")
     _add_series(steps, conventions, counts)

@@ -82,10 +82,10 @@ def paired(fleets: Sequence[Mapping[str, Channels]]) -> Paired:
         is_best = values == values.max(axis=0)
         shares = (is_best / is_best.sum(axis=0)).mean(axis=1)
         best[metric] = dict(zip(names, shares.tolist(), strict=True))
-        for name, of_one in zip(names[1:], values[1:], strict=True):
-            kept = np.isfinite(of_one) & np.isfinite(values[0])
-            if kept.any():
-                less = values[0][kept] - of_one[kept]
+        for name, method_values in zip(names[1:], values[1:], strict=True):
+            is_finite = np.isfinite(method_values) & np.isfinite(values[0])
+            if is_finite.any():
+                less = values[0][is_finite] - method_values[is_finite]
                 low, high = np.percentile(less, [_TAIL, 100 - _TAIL])
                 differences[metric][name] = float(low), float(high)
     return Paired(names[0], sum(len(part[names[0]]["mon"]) for part in parts), best, differences)
@@ -97,7 +97,7 @@ def _numbers(rows: Channels, name: str) -> Floats:
 
 def _means(values: Floats) -> Floats:
     """Return the mean of each row without NaN; NaN where there is nothing else."""
-    known = ~np.isnan(values)
-    count = known.sum(axis=1)
-    total = np.where(known, values, 0.0).sum(axis=1)
+    is_number = ~np.isnan(values)
+    count = is_number.sum(axis=1)
+    total = np.where(is_number, values, 0.0).sum(axis=1)
     return np.where(count > 0, total / np.maximum(count, 1), np.nan)

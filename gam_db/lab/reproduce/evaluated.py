@@ -24,9 +24,9 @@ def summary(
         per_window: values of the series that one window spans; needed for chance.
     """
     conventions = Conventions(surrogates=surrogates, samples=0, values_per_window=per_window)
-    found = evaluate(health, outcomes, conventions=conventions)
-    rows: list[dict[str, Any]] = found.summary.to_pylist()
-    return {row["metric"]: row["value"] for row in rows}, found.channels
+    evaluation = evaluate(health, outcomes, conventions=conventions)
+    rows: list[dict[str, Any]] = evaluation.summary.to_pylist()
+    return {row["metric"]: row["value"] for row in rows}, evaluation.channels
 
 
 def chance(health: pa.Table, stride: int, window: int) -> dict[str, float | None]:

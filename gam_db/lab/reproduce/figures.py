@@ -90,10 +90,10 @@ def attractor(plan: Plan, names: Sequence[str], results: Results, show: Show) ->
         "bins": BINS,
         "window": plan.window,
     }
-    found = results.get(
+    visited = results.get(
         f"{plan.folder}/attractor-{SEED}", settings, functools.partial(_cells, plan, joint)
     )
-    healthy, late = ({tuple(cell) for cell in found[part]} for part in ("healthy", "late"))
+    healthy, late = ({tuple(cell) for cell in visited[part]} for part in ("healthy", "late"))
     drawing = Drawing(760, 300, f"Attractor of {joint.asset}, {joint.channel}")
     panels: tuple[tuple[str, list[tuple[set[Any], str]]], ...] = (
         ("healthy (calibration)", [(healthy, DARK)]),
@@ -118,16 +118,16 @@ def indicators(number: int, plan: Plan, names: Sequence[str], results: Results, 
     width, height = _PANEL
     title = f"Normalised indicators of {place.asset}, {place.channel}, which failed"
     drawing = Drawing(60 + _COLUMNS * (width + 30), 40 + rows * (height + 55), title)
-    known = {name: course for name, one in by_name.items() if (course := _normalised(one))}
+    courses = {name: course for name, figures in by_name.items() if (course := _normalised(figures))}
     for place_no, name in enumerate(names):
         corner = 40 + place_no % _COLUMNS * (width + 30), 40 + place_no // _COLUMNS * (height + 55)
         plot = Plot(drawing, corner, _PANEL, (0, 1), (-0.03, 1.03))
         last = place_no >= len(names) - _COLUMNS
         plot.frame(_SHARES, _SHARES, "share of life" if last else "", title=METHODS[name].title)
-        if DSE in known and name != DSE:
-            plot.line(known[DSE], GREY, 1)
-        if name in known:
-            plot.line(known[name])
+        if DSE in courses and name != DSE:
+            plot.line(courses[DSE], GREY, 1)
+        if name in courses:
+            plot.line(courses[name])
     return drawing
 
 
@@ -228,7 +228,7 @@ def _cube(drawing: Drawing, centre: Point) -> None:
     """Draw the edges of the range of calibration, with the names of its axes."""
     for start in itertools.product((0, 1), repeat=3):
         for axis in range(3):
-            end = [1 if number == axis else one for number, one in enumerate(start)]
+            end = [1 if number == axis else coordinate for number, coordinate in enumerate(start)]
             if end != list(start):
                 drawing.line([_seen(start, centre), _seen(end, centre)], LIGHT)
     labels = (

@@ -147,7 +147,7 @@ def series(
     simulated = functools.cache(lambda: plan.fleet(seed).joint(place.robot, place.joint))
     # The two scores of a variational autoencoder are those of the same net.
     task = Task(seed, plan.quick, at_buckets=True, nets={})
-    kept: dict[str, Figures] = {}
+    by_method: dict[str, Figures] = {}
     for name in names:
         show(f"{title}: {method_named(name).title}")
         settings = {
@@ -168,8 +168,8 @@ def series(
         mark = "" if parameters is None else f"-m{chosen.m}-tau{chosen.tau}"
         file = f"{plan.folder}/{name}{mark}-{seed}-{place.robot:02d}-{place.joint}"
         run = functools.partial(_run, name, simulated, chosen, task, title, show)
-        kept[name] = results.get(file, settings, run)
-    return kept
+        by_method[name] = results.get(file, settings, run)
+    return by_method
 
 
 def measured(
@@ -188,12 +188,12 @@ def measured(
     for name in names:
         show(f"fleet {seed}: evaluating {method_named(name).title}")
         table = health_table(joints, [figures[name] for figures in by_joint])
-        found = evaluate(table, outcomes(joints), conventions=Conventions(surrogates=0, samples=0))
-        summary = {row["metric"]: row for row in found.summary.to_pylist()}
+        evaluation = evaluate(table, outcomes(joints), conventions=Conventions(surrogates=0, samples=0))
+        summary = {row["metric"]: row for row in evaluation.summary.to_pylist()}
         answer[name] = {
             "metrics": {metric: row["value"] for metric, row in summary.items()},
             "spread": {metric: summary[metric]["sd"] for metric in ("mon", "corr", "rob")},
-            "channels": found.channels.to_pylist(),
+            "channels": evaluation.channels.to_pylist(),
             "seconds": [figures[name]["seconds"] for figures in by_joint],
         }
     return answer

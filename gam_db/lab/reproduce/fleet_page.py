@@ -79,7 +79,7 @@ def training(study: Study) -> Iterator[str]:
         numbers = "".join(
             f"{getattr(theirs, key):9.3f}" for key in ("mon", "corr", "rob", "global_score")
         )
-        there = [one for one in TABLE2 if one in study.lengths[0].order]
+        there = [method for method in TABLE2 if method in study.lengths[0].order]
         place = f"{there.index(name) + 1} of {len(there)}"
         yield f"{'paper':>8}  {method_named(name).title:18}{numbers}{place:>9}"
     yield ""
@@ -126,18 +126,18 @@ def _cost(table: FleetTable) -> Iterator[str]:
 
 
 def _paired(table: FleetTable) -> Iterator[str]:
-    found = table.paired
+    paired = table.paired
     yield (
-        f"Paired bootstrap over the joints that failed, all {found.resamples:,} resamples: share in "
+        f"Paired bootstrap over the joints that failed, all {paired.resamples:,} resamples: share in "
         "which a method is best"
     )
     names = [row.method for row in table.rows]
     yield f"{'':18}" + "".join(f"{title:>9}" for title in _TITLES)
     for name in names:
-        shares = [found.best[metric].get(name) for metric in METRICS]
+        shares = [paired.best[metric].get(name) for metric in METRICS]
         cells = ("-" if share is None else f"{share:.1%}" for share in shares)
         yield f"{method_named(name).title:18}" + "".join(f"{cell:>9}" for cell in cells)
-    first = found.first
+    first = paired.first
     others = [name for name in names if name != first]
     if not others:
         return
@@ -145,8 +145,11 @@ def _paired(table: FleetTable) -> Iterator[str]:
     yield f"{method_named(first).title} less each other method, 95 % interval of the resamples"
     yield f"{'':18}" + "".join(f"{title:>16}" for title in _TITLES)
     for name in others:
-        intervals = [found.differences[metric].get(name) for metric in METRICS]
-        cells = ("-" if one is None else f"{one[0]:+.2f} to {one[1]:+.2f}" for one in intervals)
+        intervals = [paired.differences[metric].get(name) for metric in METRICS]
+        cells = (
+            "-" if interval is None else f"{interval[0]:+.2f} to {interval[1]:+.2f}"
+            for interval in intervals
+        )
         yield f"{method_named(name).title:18}" + "".join(f"{cell:>16}" for cell in cells)
     if table.number == 1:
         yield "The paper: DSE has the highest Prog in 96 % of resamples."

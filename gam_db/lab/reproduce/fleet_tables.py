@@ -111,13 +111,13 @@ def _table(
     places = [place for seed in range(seeds) for place in plan.places(seed)]
     rows = []
     for name in names:
-        of_one = [fleet[name] for fleet in fleets]
-        seconds = [number for figures in of_one for number in figures["seconds"]]
+        runs = [fleet[name] for fleet in fleets]
+        seconds = [number for figures in runs for number in figures["seconds"]]
         rows.append(
             Row(
                 method=name,
-                mean={m: _mean([figures["metrics"][m] for figures in of_one]) for m in METRICS},
-                spread={m: _mean([figures["spread"][m] for figures in of_one]) for m in SPREAD},
+                mean={m: _mean([figures["metrics"][m] for figures in runs]) for m in METRICS},
+                spread={m: _mean([figures["spread"][m] for figures in runs]) for m in SPREAD},
                 seconds=(statistics.fmean(seconds), statistics.pstdev(seconds)),
             )
         )

@@ -79,10 +79,10 @@ def table2(table: Table) -> Iterator[str]:
 def recordings(rows: Sequence[RecordingRow]) -> Iterator[str]:
     """Yield the lines of the page of the recordings."""
     for name, recording in RECORDINGS.items():
-        of_one = [row for row in rows if row.recording == name]
-        if not of_one:
+        recording_rows = [row for row in rows if row.recording == name]
+        if not recording_rows:
             continue
-        first = of_one[0]
+        first = recording_rows[0]
         yield (
             f"{recording.title}: m = 3, tau = 1, B = {recording.bins}, W = {recording.window}, the "
             f"first 20 % taken as healthy; mean ± standard deviation over {first.channels} channels "
@@ -93,12 +93,12 @@ def recordings(rows: Sequence[RecordingRow]) -> Iterator[str]:
         yield ""
         titles = "".join(f"{title:>9}{'':6}" for title in _SHOWN)
         yield f"{'':18}{titles}{'rising':>9}{'seconds':>10}"
-        for row in of_one:
+        for row in recording_rows:
             numbers = "".join(_beside(row.metrics[metric], row.spread[metric], 2) for metric in METRICS)
             yield f"{METHODS[row.method].title:18}{numbers}{row.signed[1]:>9.0%}{row.seconds:10.1f}"
         chance = "".join(_beside(first.chance.get(metric)) for metric in METRICS)
         yield f"{'chance':18}{chance.rstrip()}"
-        for row in of_one:
+        for row in recording_rows:
             if row.method == "dse":
                 yield (
                     f"DSE ends at {row.last_hi:.2f} in the median; near 1 it is saturated, and Prog is "

@@ -137,12 +137,12 @@ def recordings(
         show(f"{recording.title}: certificate")
         folder_of = f"recordings{'-quick' if quick else ''}"
         parameters = _settings_of(recording)
-        found = results.get(
+        certificate = results.get(
             f"{folder_of}/{name}-certificate",
             parameters,
             lambda: _certificate(recording, series),  # noqa: B023
         )
-        certified = _certified(found)
+        certified = _certified(certificate)
         for method in methods:
             title = f"{recording.title}: {METHODS[method].title}"
             show(title)
@@ -211,25 +211,33 @@ def _runner(
             show(f"{title}: epoch {epoch}, loss {loss:.2e}")
 
         parameters = recording.parameters
-        told = replace(task, on_epoch=on_epoch)
+        reporting_task = replace(task, on_epoch=on_epoch)
         calibration = Calibration(fraction=CALIBRATION)
-        table, seconds = health(method, Source(series, time="t"), parameters, calibration, told)
+        table, seconds = health(
+            method, Source(series, time="t"), parameters, calibration, reporting_task
+        )
         failed, constant = _failures(labels), certified.constant
         per_window = parameters.window // parameters.bucket_length
         channels = []
         for channel in sorted(set(table["channel"].to_pylist())):
             show(f"{title}: evaluating {channel}")
-            of_one = table.filter(pc.equal(table["channel"], channel))
-            judged = {asset for asset in of_one["asset"].to_pylist() if (asset, channel) not in constant}
-            known = [
+            channel_health = table.filter(pc.equal(table["channel"], channel))
+            judged = {
+                asset
+                for asset in channel_health["asset"].to_pylist()
+                if (asset, channel) not in constant
+            }
+            outcomes = [
                 {"asset": asset, "channel": channel, "failed_at": end}
                 for asset, end in failed.items()
                 if asset in judged
             ]
-            if not known:
+            if not outcomes:
                 continue
-            metrics, found = summary(of_one, pa.Table.from_pylist(known), surrogates, per_window)
-            shown = [row for row in found.to_pylist() if row["outcome"] == "failed"]
+            metrics, channel_rows = summary(
+                channel_health, pa.Table.from_pylist(outcomes), surrogates, per_window
+            )
+            shown = [row for row in channel_rows.to_pylist() if row["outcome"] == "failed"]
             if metrics["mon"] is None:
                 continue  # it never moved
             channels.append(
@@ -274,10 +282,10 @@ def _row(recording: str, method: str, certified: Certified, figures: Figures) ->
 
 
 def _mean(values: Sequence[float | None]) -> float | None:
-    known = [value for value in values if value is not None]
-    return float(np.mean(known)) if known else None
+    present = [value for value in values if value is not None]
+    return float(np.mean(present)) if present else None
 
 
 def _spread(values: Sequence[float | None]) -> float | None:
-    known = [value for value in values if value is not None]
-    return float(np.std(known, ddof=1)) if len(known) > 1 else None
+    present = [value for value in values if value is not None]
+    return float(np.std(present, ddof=1)) if len(present) > 1 else None

@@ -42,11 +42,11 @@ class Results:
             ConfigurationError: there is a file of that name that is no result, or none can be written.
         """
         file = self.folder / f"{name}.json"
-        kept = _read(file)
-        if kept is not None and kept["settings"] == json.loads(json.dumps(settings)):
-            return dict(kept["figures"])
+        stored = _read(file)
+        if stored is not None and stored["settings"] == json.loads(json.dumps(settings)):
+            return dict(stored["figures"])
         figures = compute()
-        record = {"settings": settings, "figures": figures, "made_with": _made_with()}
+        record = {"settings": settings, "figures": figures, "made_with": _versions()}
         unfinished = file.with_name(f".{file.name}.{secrets.token_hex(4)}")
         try:
             file.parent.mkdir(parents=True, exist_ok=True)
@@ -73,7 +73,7 @@ def _read(file: Path) -> dict[str, Any] | None:
     )
 
 
-def _made_with() -> dict[str, str]:
+def _versions() -> dict[str, str]:
     versions = {"python": platform.python_version()}
     for library in _LIBRARIES:
         try:

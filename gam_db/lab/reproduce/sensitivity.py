@@ -119,22 +119,22 @@ def sensitivity(on: str, quick: bool, results: Results, show: Show) -> list[Cell
 def trends(cells: Sequence[Cell]) -> list[Trend]:
     """Return how Global goes with m at each delay."""
     target = Parameters().target_floor
-    found = []
+    by_delay = []
     for tau in DELAYS:
-        of_one = sorted((cell for cell in cells if cell.tau == tau), key=lambda cell: cell.m)
-        by_score = [cell.m for cell in sorted(of_one, key=lambda cell: cell.global_score)]
-        rank = agreement([str(m) for m in by_score], [str(cell.m) for cell in of_one])
-        found.append(
+        delay_cells = sorted((cell for cell in cells if cell.tau == tau), key=lambda cell: cell.m)
+        by_score = [cell.m for cell in sorted(delay_cells, key=lambda cell: cell.global_score)]
+        rank = agreement([str(m) for m in by_score], [str(cell.m) for cell in delay_cells])
+        by_delay.append(
             Trend(
                 tau,
                 by_rank=rank or 0.0,
-                change=of_one[-1].global_score - of_one[0].global_score,
-                floors=(of_one[0].floor, of_one[-1].floor),
-                passed=max((cell.m for cell in of_one if cell.floor <= target), default=None),
+                change=delay_cells[-1].global_score - delay_cells[0].global_score,
+                floors=(delay_cells[0].floor, delay_cells[-1].floor),
+                passed=max((cell.m for cell in delay_cells if cell.floor <= target), default=None),
                 best=by_score[-1],
             )
         )
-    return found
+    return by_delay
 
 
 def change(cells: Sequence[Cell], number: str) -> float | None:

@@ -79,22 +79,22 @@ def table2(methods: Sequence[str], seeds: int, quick: bool, results: Results, sh
         UserError: see its subclasses.
     """
     check_libraries(methods)
-    found: dict[str, list[Figures]] = {name: [] for name in methods}
+    runs_by_method: dict[str, list[Figures]] = {name: [] for name in methods}
     for seed in range(seeds):
         for name in methods:
-            found[name].append(figures_of(name, Task(seed, quick), results, show))
+            runs_by_method[name].append(figures_of(name, Task(seed, quick), results, show))
     rows = sorted(
-        (_row(name, figures) for name, figures in found.items()),
+        (_row(name, figures) for name, figures in runs_by_method.items()),
         key=lambda row: -row.mean["global_score"],
     )
-    of_chance = [figures["chance"] for runs in found.values() for figures in runs]
+    of_chance = [figures["chance"] for runs in runs_by_method.values() for figures in runs]
     return Table(
         rows=rows,
         seeds=seeds,
         samples=_samples(quick),
-        windows=found[methods[0]][0]["windows"],
+        windows=runs_by_method[methods[0]][0]["windows"],
         chance={
-            metric: statistics.fmean(one[metric] for one in of_chance)
+            metric: statistics.fmean(figures[metric] for figures in of_chance)
             for metric in ("mon", "corr", "rob")
         },
         agreement=agreement([row.method for row in rows], list(TABLE2)),

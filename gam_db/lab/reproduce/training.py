@@ -64,7 +64,7 @@ def training(names: Sequence[str], quick: bool, results: Results, show: Show) ->
         figures = {
             name: figures_of(name, Task(0, quick, epochs=epochs), results, show) for name in names
         }
-        scores = without | {name: one["global_score"] for name, one in figures.items()}
+        scores = without | {name: run["global_score"] for name, run in figures.items()}
         order = sorted(scores, key=lambda name: -scores[name])
         lengths.append(Trained(epochs, figures, order, agreement(order, list(TABLE2)) or 0.0))
     return Study(lengths, without, quick)

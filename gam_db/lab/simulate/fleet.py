@@ -196,8 +196,8 @@ class _Robot:
         seed, number, role = self._fleet.seed, self._number, self._role
         parts = self._levels(joint)
         levels = reduce(Levels.then, parts)
-        own = stream(seed, number, joint, Purpose.SCALE)
-        noise = drawn_noise(levels, own)
+        scale_stream = stream(seed, number, joint, Purpose.SCALE)
+        noise = drawn_noise(levels, scale_stream)
         shared = stream(seed, role.program, joint, Purpose.SCALE)
         scale = drawn_scale(noise, shared)
         seconds = np.arange(int(self._seconds * HERTZ)) / HERTZ + scale.clock
@@ -209,7 +209,9 @@ class _Robot:
         moves = np.choose(products, [way + first for way, first in zip(ways, firsts, strict=True)])
 
         signal = stream(seed, number, joint, Purpose.SIGNAL)
-        heights = followed(levels, moves, signal) + (0.0 if number == role.program else twin_offset(own))
+        heights = followed(levels, moves, signal) + (
+            0.0 if number == role.program else twin_offset(scale_stream)
+        )
         heights += noise[levels.places[moves]] * signal.standard_normal(len(moves))
         heights += drifting(scale, seconds)
         if self._fleet.wander:
@@ -237,11 +239,13 @@ class _Robot:
         values = measured(scale, heights, states)
         if truth["event"] == "constant":
             values = np.full_like(values, values[0])
-        kept = reporting(states)
+        is_reported = reporting(states)
         if truth["event"] == "silent":
-            kept &= seconds < onset
+            is_reported &= seconds < onset
         dirt = stream(seed, number, joint, Purpose.DIRT)
-        rows = dirtied(times[kept], values[kept], dirt, joint == self._repeats, joint == self._late)
+        rows = dirtied(
+            times[is_reported], values[is_reported], dirt, joint == self._repeats, joint == self._late
+        )
         if truth["event"] not in (None, "constant"):
             truth["onset"] = FIRST_TIME + int(onset * 1e6)
         if truth["event"] == role.fault and role.fault is not None:

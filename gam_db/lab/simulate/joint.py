@@ -142,10 +142,10 @@ def wandering(spread: float, samples: float, count: int, random: np.random.Gener
         random: draws it.
     """
     every = max(1, int(samples / 50))
-    kept = math.exp(-every / samples)
+    persistence = math.exp(-every / samples)
     knots = spread * random.standard_normal(count // every + 2)
     for number in range(1, len(knots)):
-        knots[number] = kept * knots[number - 1] + math.sqrt(1 - kept**2) * knots[number]
+        knots[number] = persistence * knots[number - 1] + math.sqrt(1 - persistence**2) * knots[number]
     return np.interp(np.arange(count), every * np.arange(len(knots)), knots)
 
 

@@ -57,9 +57,9 @@ class Timeline:
 
     def before(self, seconds: float) -> "Timeline":
         """Return the part before an instant."""
-        kept = int(np.searchsorted(self.ends, seconds)) + 1
-        ends = np.minimum(self.ends[:kept], seconds)
-        return Timeline(ends, self.moves[:kept], self.states[:kept])
+        count = int(np.searchsorted(self.ends, seconds)) + 1
+        ends = np.minimum(self.ends[:count], seconds)
+        return Timeline(ends, self.moves[:count], self.states[:count])
 
     def then(self, other: "Timeline", moves: int) -> "Timeline":
         """Return this timeline and another one after it, whose moves are numbered from ``moves`` on."""

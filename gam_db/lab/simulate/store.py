@@ -194,16 +194,16 @@ def _in_database(path: Path, table: str) -> Iterator[tuple[Writer, Writer]]:
         try:
             yield writer_of(unfinished[0]), writer_of(unfinished[1])
             connection.begin()
-            for made, name in zip(unfinished, targets, strict=True):
+            for new_table, name in zip(unfinished, targets, strict=True):
                 run(exp.Drop(tables=[_table(name)], kind="TABLE", exists=True))
                 renamed = exp.AlterRename(this=_table(name))
-                run(exp.Alter(this=made, kind="TABLE", actions=[renamed]))
+                run(exp.Alter(this=new_table, kind="TABLE", actions=[renamed]))
             connection.commit()
         except BaseException:
             with contextlib.suppress(duckdb.Error):  # there is nothing to take back but in the end
                 connection.rollback()
-            for made in unfinished:
-                run(exp.Drop(tables=[made], kind="TABLE", exists=True))
+            for new_table in unfinished:
+                run(exp.Drop(tables=[new_table], kind="TABLE", exists=True))
             raise
 
 

@@ -23,7 +23,7 @@ from gam_db.study.running import Running
 LIVE = ("open", "ended")
 
 #: What is known of an episode beside its status.
-_KNOWN = (
+_COMPARED = (
     *("version_id", "onset", "first_judgement", "last_judgement"),
     *("onset_time", "first_time", "last_time", "evidence", "height", "is_proving"),
 )
@@ -110,17 +110,17 @@ def changes(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping
     """Return what :func:`follow` would append."""
     records = records_of(state, monitor_id)
     live = by("channel_id", (row for row in records if row["status"] in LIVE))
-    found, ranges = _found(state, group, live, judged)
+    episodes, ranges = _judged_episodes(state, group, live, judged)
     log = Log(monitor_id, records)
     for row in sorted(group, key=lambda row: row["channel_id"]):
         channel = row["channel_id"]
-        if channel in found or channel in live:
-            said = ranges.get(channel, {"version_id": row["version_id"]})
-            _match(log, found.get(channel, []), live.get(channel, []), said)
+        if channel in episodes or channel in live:
+            judged_range = ranges.get(channel, {"version_id": row["version_id"]})
+            _match(log, episodes.get(channel, []), live.get(channel, []), judged_range)
     return log
 
 
-def _found(
+def _judged_episodes(
     state: State, group: Sequence[Row], live: Mapping[int, list[Row]], judged: Mapping[int, int]
 ) -> tuple[dict[int, list[Row]], dict[int, Row]]:
     """Return the episodes of the judgements that are looked at, and which these are, by channel."""
@@ -140,7 +140,7 @@ def _found(
     add(steps, "stored/alarms/open_judgements", {"near": close}, name="opened")
     add(steps, "alarms/merged")
     add(steps, "stored/alarms/judged_ranges", {"near": close})
-    with Running(state.session, steps, state.tables.placed()) as running:
+    with Running(state.session, steps, state.tables.nodes()) as running:
         running.load("followed", table_of(followed, _FOLLOWED))
         running.keep("merged")
         onsets = running.rows("merged")
@@ -158,10 +158,14 @@ def _found(
 def _since(row: Row, live: Mapping[int, list[Row]], first: int) -> int:
     """Return from which judgement on a channel is looked at, the first new one being known."""
     since = max(first - _NEAR, 0)
-    known = [one for one in live.get(row["channel_id"], ()) if one["version_id"] == row["version_id"]]
-    for one in sorted(known, key=lambda one: -int(one["last_judgement"])):
-        if one["status"] == "open" or one["last_judgement"] >= since:
-            since = min(since, one["onset"])
+    episodes = [
+        episode
+        for episode in live.get(row["channel_id"], ())
+        if episode["version_id"] == row["version_id"]
+    ]
+    for episode in sorted(episodes, key=lambda episode: -int(episode["last_judgement"])):
+        if episode["status"] == "open" or episode["last_judgement"] >= since:
+            since = min(since, episode["onset"])
     return since
 
 
@@ -170,7 +174,7 @@ def _from(rows: Sequence[Row], judgement: str) -> exp.Expr:
     return near([{**row, "first_bucket": row[judgement] * buckets_of(row)} for row in rows])
 
 
-def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any]) -> None:
+def _match(log: Log, episodes: list[Row], live: list[Row], judged: Mapping[str, Any]) -> None:
     """Give the episodes of a channel their numbers, and say what became of those it had (live)."""
     version, first = judged["version_id"], judged.get("first_judgement") or 0
     begin, newest = judged.get("first_scored"), judged.get("last_time")
@@ -184,18 +188,18 @@ def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any
         )
     ]
     taken: set[int] = set()
-    for row in sorted(found, key=lambda row: row["first_judgement"]):
+    for row in sorted(episodes, key=lambda row: row["first_judgement"]):
         goes_on = judged.get("is_judged") == 1 and row["last_judgement"] == judged["last_judgement"]
         row["status"] = "open" if goes_on else "ended"
         row["onset_time"] = row["first_time"] if row["onset_time"] is None else row["onset_time"]
         meets = [
-            one
-            for one in free
-            if one["episode_id"] not in taken
-            and one["first_time"] <= row["last_time"]
-            and row["first_time"] <= one["last_time"]
+            episode
+            for episode in free
+            if episode["episode_id"] not in taken
+            and episode["first_time"] <= row["last_time"]
+            and row["first_time"] <= episode["last_time"]
         ]
-        taken |= {one["episode_id"] for one in meets}
+        taken |= {episode["episode_id"] for episode in meets}
         if not meets:
             log.opened(row)
             continue
@@ -203,11 +207,11 @@ def _match(log: Log, found: list[Row], live: list[Row], judged: Mapping[str, Any
         if mine["version_id"] == version and mine["onset"] < first:  # its begin was pruned
             row |= {name: mine[name] for name in _BEGIN}
             row["evidence"] = max(row["evidence"], mine["evidence"])
-        if any(row[name] != mine[name] for name in ("status", *_KNOWN)):
+        if any(row[name] != mine[name] for name in ("status", *_COMPARED)):
             what = _WHAT.get((mine["status"], row["status"]), "changed")
             log.add(what, row, episode_id=mine["episode_id"])
-        for one in meets[1:]:
-            log.add("merged", one, status="merged", merged_into=mine["episode_id"])
+        for episode in meets[1:]:
+            log.add("merged", episode, status="merged", merged_into=mine["episode_id"])
     for row in (row for row in live if row["episode_id"] not in taken):
         if row["version_id"] == version:
             if row in free:

@@ -24,82 +24,86 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
 
     Only the channels of the plan are read, ``limit`` readings at once at most.
     """
-    known = {row["version_id"]: row for row in plan}
+    versions = {row["version_id"]: row for row in plan}
     slots: dict[str, template.Slot] = {"monitor_id": monitor_id}
     raised = state.rows("stored/alarms/raised_versions", slots)
-    asked = [row["version_id"] for row in raised if row["version_id"] in known]
-    if not asked:
+    version_ids = [row["version_id"] for row in raised if row["version_id"] in versions]
+    if not version_ids:
         return
     # What is of no use is skipped by an engine where that is said in literals.
-    slots["raised_versions"] = listed(exp.column("version_id", table="judged"), asked)
+    slots["raised_versions"] = listed(exp.column("version_id", table="judged"), version_ids)
     runs: dict[int, list[list[Row]]] = {}  # of judgements that follow one another
-    wanted = [row for row in state.rows("stored/alarms/uncounted", slots) if row["version_id"] in known]
-    for row in _placed(state, wanted):
+    wanted = [
+        row for row in state.rows("stored/alarms/uncounted", slots) if row["version_id"] in versions
+    ]
+    for row in _readable(state, wanted):
         mine = runs.setdefault(row["version_id"], [])
         if mine and mine[-1][-1]["judgement_no"] + 1 == row["judgement_no"]:
             mine[-1].append(row)
         else:
             mine.append([row])
     for together in zip_longest(*runs.values()):  # of one channel one at most
-        channels = [_asked(found, known) for found in together if found]
+        channels = [_plan_row(judgements, versions) for judgements in together if judgements]
         counts = {name_of(row): 6 * row["window_length"] for row in channels}
         for group in portions(channels, counts, limit, setting_of):
             _count(state, reader, group)
 
 
-def _placed(state: State, wanted: Sequence[Row]) -> list[Row]:
+def _readable(state: State, wanted: Sequence[Row]) -> list[Row]:
     """Return those of the judgements whose bucket before is kept, with where to begin to read."""
     if not wanted:
         return []
-    asked = {"version_id": "version_id", "bucket_no": "bucket_before"}
+    columns = {"version_id": "version_id", "bucket_no": "bucket_before"}
     conditions = (
         listed(exp.column(name, table="full_bucket"), {row[of] for row in wanted})
-        for name, of in asked.items()
+        for name, of in columns.items()
     )
-    found = state.rows("stored/alarms/buckets_before", {"wanted": exp.and_(*conditions)})
-    ends = {(row["version_id"], row["bucket_no"]): row for row in found}
-    made = []
+    buckets = state.rows("stored/alarms/buckets_before", {"wanted": exp.and_(*conditions)})
+    ends = {(row["version_id"], row["bucket_no"]): row for row in buckets}
+    judgements = []
     for row in wanted:
         end = ends.get((row["version_id"], row["bucket_before"]))
         if end is not None:
-            made.append({**row, "first_scored": end["last_time"] + 1, "read_from": end["context_time"]})
+            judgements.append(
+                {**row, "first_scored": end["last_time"] + 1, "read_from": end["context_time"]}
+            )
         elif row["judgement_no"] == 0:
-            made.append(row)
-    return made
+            judgements.append(row)
+    return judgements
 
 
-def _asked(found: Sequence[Row], known: Mapping[int, Row]) -> Row:
+def _plan_row(judgements: Sequence[Row], versions: Mapping[int, Row]) -> Row:
     """Return what a run reads for some judgements, as a row of the plan."""
-    first = found[0]
+    first = judgements[0]
     edges = {name: first[name] for name in ("first_scored", "read_from")}
-    runs = {row["judgement_no"]: row["run_id"] for row in found}
-    return known[first["version_id"]] | edges | {"until": found[-1]["last_time"], "runs": runs}
+    runs = {row["judgement_no"]: row["run_id"] for row in judgements}
+    return versions[first["version_id"]] | edges | {"until": judgements[-1]["last_time"], "runs": runs}
 
 
 def _count(state: State, reader: Reader, group: Sequence[Row]) -> None:
     steps = explaining_steps(setting_of(group[0]), reader.kind)
     until = [row["until"] for row in group]
     earliest = min(row["read_from"] for row in group)
-    with Running(state.session, steps, state.tables.placed()) as running:
+    with Running(state.session, steps, state.tables.nodes()) as running:
         running.load("cohort", cohort_of(group, read_until=until, planned_from=0))
         rows = reader.readings(assets_of(group), earliest, max(until))
         running.put("identified", identified(running, rows))
-        found, moves = running.rows("banded"), running.rows("move_counts")
-    made, moved = [], []
+        visits, moves = running.rows("banded"), running.rows("move_counts")
+    band_visits, moved = [], []
     for channel in group:
         version, runs = channel["version_id"], list(channel["runs"].items())
-        mine = [row for row in found if row["version_id"] == version]
+        mine = [row for row in visits if row["version_id"] == version]
         if sum(row["visits"] for row in mine) != len(runs) * channel["window_length"]:
             # Rows went, or came late, since it was scored: it is asked for no more.
             nothing = {"version_id": version, "band": -1, "visits": 0, "novel": 0}
             mine = [{**nothing, "window_no": number} for number in range(len(runs))]
         else:
             moved += [_of_run(row, runs) for row in moves if row["version_id"] == version]
-        made += [_of_run(row, runs) for row in mine]
+        band_visits += [_of_run(row, runs) for row in mine]
     # Bands come last: a judgement that has none is counted again.
     if moved:
         state.append_rows("move", moved)
-    state.append_rows("band_visit", made)
+    state.append_rows("band_visit", band_visits)
 
 
 def _of_run(row: Row, runs: Sequence[tuple[int, int]]) -> Row:

@@ -11,7 +11,7 @@ from gam_db.columns import counts, table_of
 from gam_db.composing.pipeline import Pipeline
 from gam_db.composing.plan import Kind, Plan, Statement
 from gam_db.method.adding import add
-from gam_db.method.alarms import add_kept_judgements
+from gam_db.method.alarms import add_stored_judgements
 from gam_db.stored.planning import Row
 from gam_db.stored.planning.reading import near
 from gam_db.stored.state import State
@@ -21,14 +21,14 @@ from gam_db.study.running import Running
 BEFORE = 50
 
 
-def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) -> dict[int, int]:
+def judge(state: State, group: Sequence[Row], tables: Mapping[str, exp.Table]) -> dict[int, int]:
     """Append the judgements of a run that is not committed yet.
 
     Given are its tables *cohort*, *stamp* and *new_buckets*. Returned is the first judgement written
     anew, of each version that has, or had, a limit.
     """
-    placed, most = {**state.tables.placed(), **given}, max(map(buckets_of, group))
-    rows = state.rows("stored/alarms/judged_until", {"near": near(group, most)}, given)
+    all_tables, most = {**state.tables.nodes(), **tables}, max(map(buckets_of, group))
+    rows = state.rows("stored/alarms/judged_until", {"near": near(group, most)}, tables)
     length = {row["version_id"]: buckets_of(row) for row in group}
     lost = [
         row
@@ -38,7 +38,7 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
     if lost:  # nothing was judged of late, or ever
         versions = {row["version_id"] for row in lost}
         whole = near([{**row, "first_bucket": 0} for row in lost])
-        again = state.rows("stored/alarms/judged_until", {"near": whole}, given)
+        again = state.rows("stored/alarms/judged_until", {"near": whole}, tables)
         rows = [row for row in rows if row["version_id"] not in versions]
         rows += [row for row in again if row["version_id"] in versions]
     for buckets in sorted({length[row["version_id"]] for row in rows}):
@@ -48,10 +48,10 @@ def judge(state: State, group: Sequence[Row], given: Mapping[str, exp.Table]) ->
             near([{**row, "first_bucket": judgement * buckets} for row in alike])
             for judgement in (first, first - BEFORE)
         )
-        with Running(state.session, judging_steps(buckets, since, since_before), placed) as running:
+        with Running(state.session, judging_steps(buckets, since, since_before), all_tables) as running:
             running.load("judged_until", table_of(alike, UNTIL))
             appended = Statement("judgement_rows", Kind.APPEND, "judgement")
-            plan = Plan.of(running.steps, [appended], running.placed)
+            plan = Plan.of(running.steps, [appended], running.tables)
             running.execute(plan, target=state.tables.table)
     return {row["version_id"]: row["first_judgement"] for row in rows}
 
@@ -65,7 +65,7 @@ def judging_steps(buckets: int, since: exp.Expr, since_before: exp.Expr) -> Pipe
     steps = Pipeline(small=frozenset({"judged_buckets", "judged_windows"}))
     add(steps, "stored/alarms/judged_buckets", {"buckets": buckets, "near": since})
     add(steps, "stored/alarms/limit_spans")
-    add_kept_judgements(steps, buckets, since_before)
+    add_stored_judgements(steps, buckets, since_before)
     add(steps, "stored/alarms/judgement_rows")
     return steps
 

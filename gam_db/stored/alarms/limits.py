@@ -54,8 +54,8 @@ def learnt(
     add(steps, "stored/alarms/limit_channels", slots)
     add(steps, "stored/alarms/kept_buffered", name="buffered")
     add_spreads(steps, families, "limit_channels")
-    given = {} if versions is None else {"stored_version": versions}
-    return Running(state.session, steps, {**state.tables.placed(), **given})
+    tables = {} if versions is None else {"stored_version": versions}
+    return Running(state.session, steps, {**state.tables.nodes(), **tables})
 
 
 def make(
@@ -80,11 +80,11 @@ def make(
     """
     monitor = state.monitor(name)
     kind = kind_of(monitor)
-    asked = alarms.asked(kind)
+    rate = alarms.rate_for(kind)
     about = (alarms.family, True, parameters, versions)
     with learnt(state, monitor["monitor_id"], *about) as work:
-        known = {row["channel_id"]: row for row in work.rows("limit_channels")}
-        chosen = {channel for channel, row in known.items() if wanted(row)}
+        channels = {row["channel_id"]: row for row in work.rows("limit_channels")}
+        chosen = {channel for channel, row in channels.items() if wanted(row)}
         if not chosen:
             return []
         rows = [row for row in chosen_limits(work, alarms, kind) if row["channel_id"] in chosen]
@@ -92,13 +92,13 @@ def make(
     for row in rows:
         row["family"] = families.index(row["family"])
     rows.sort(key=name_of)
-    said, made = {"created": now(), "cause": cause, "asked": asked}, []
+    shared, limit_rows = {"created": now(), "cause": cause, "asked": rate}, []
     for row in rows:
-        before = known[row["channel_id"]]
+        before = channels[row["channel_id"]]
         begin = before["judgements"] if before["limit_no"] else 0
         numbers = {"limit_no": before["limit_no"] + 1, "from_judgement": begin}
-        made.append({**row, "version_id": before["version_id"], **numbers, **said})
-    state.append_rows("limit", made)
+        limit_rows.append({**row, "version_id": before["version_id"], **numbers, **shared})
+    state.append_rows("limit", limit_rows)
     return rows
 
 

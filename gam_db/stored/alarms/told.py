@@ -22,7 +22,7 @@ from gam_db.stored.planning import Row
 from gam_db.stored.planning.reading import Reader
 from gam_db.stored.sources import source_of
 from gam_db.stored.state import State, kind_of, now
-from gam_db.units import told_by
+from gam_db.units import time_type
 
 _AXIS = ("samples_before", "place", "value_from", "value_to", "displacement")
 
@@ -53,7 +53,7 @@ def alarms(state: State, name: str) -> pa.Table:
     Raises:
         ConfigurationError: there is no such monitor.
     """
-    time = told_by(kind_of(state.monitor(name)))
+    time = time_type(kind_of(state.monitor(name)))
     schema = columns(
         (COUNT, "episode"),
         (WORD, "asset channel status"),
@@ -70,8 +70,8 @@ def alarms(state: State, name: str) -> pa.Table:
         (COUNT, "merged_into onset first_judgement last_judgement"),
         (COUNT, "evidence height seq channel_id version_id"),
     )
-    found = state.fetch("stored/alarms/alarm_rows", {"monitor": template.text(name)})
-    return found.rename_columns(schema.names).cast(schema)
+    table = state.fetch("stored/alarms/alarm_rows", {"monitor": template.text(name)})
+    return table.rename_columns(schema.names).cast(schema)
 
 
 def judgements(state: State, episode: Row) -> list[Row]:
@@ -102,12 +102,12 @@ def cells(state: State, name: str, episode: Row) -> list[Row]:
         samples_before, place, value_from, value_to and displacement (from that cell, in bins). Nothing
         where the episode is of an older version, or its cells were pruned.
     """
-    found: dict[int, Row] = {}
+    ranked: dict[int, Row] = {}
     shared = ("cell_key", "visits", "first_tick", "last_tick", "steps", "program")
     for row in state.rows("stored/alarms/alarm_cells", _of(name, episode)):
-        cell = found.setdefault(row["cell_rank"], {key: row[key] for key in shared} | {"axes": []})
+        cell = ranked.setdefault(row["cell_rank"], {key: row[key] for key in shared} | {"axes": []})
         cell["axes"].append({key: row[key] for key in _AXIS})
-    return list(found.values())
+    return list(ranked.values())
 
 
 def raw_rows(state: State, name: str, episode: Row) -> str | None:
@@ -148,7 +148,7 @@ def limits(state: State, name: str) -> list[Row]:
     steps = Pipeline()
     add(steps, "stored/state/active", {"monitor_id": state.monitor(name)["monitor_id"]})
     add(steps, "stored/alarms/limit_rows")
-    query = steps.query("limit_rows", state.tables.placed())
+    query = steps.query("limit_rows", state.tables.nodes())
     return state.session.rows(query)
 
 
@@ -197,10 +197,10 @@ def label(
                 and assets[row["channel_id"]] == asset
                 and _meet(*ends, row)
             ]
-        given = state.rows("stored/alarms/labels", {"monitor_id": monitor_id})
+        labels = state.rows("stored/alarms/labels", {"monitor_id": monitor_id})
         if kind in DECISIONS and not instead:
-            _check_agrees(kind, about, asset, given)
-        number = 1 + max((one["label_id"] for one in given), default=0)
+            _check_agrees(kind, about, asset, labels)
+        number = 1 + max((row["label_id"] for row in labels), default=0)
         row = {
             **{"monitor_id": monitor_id, "label_id": number, "episode_id": episode, "asset": asset},
             **{"time_from": ends[0], "time_to": ends[1], "kind": kind},
@@ -208,14 +208,16 @@ def label(
         }
         state.append_rows("label", [row])
         log = Log(monitor_id, records)
-        off = {one["version_id"] for one in about if kind == "false_alarm" and one["is_proving"]}
-        for one in about:
-            log.add("labelled", one)
-            if one["version_id"] in off and one["status"] == "open":
-                log.add("ended", one, status="ended")
+        off = {
+            record["version_id"] for record in about if kind == "false_alarm" and record["is_proving"]
+        }
+        for record in about:
+            log.add("labelled", record)
+            if record["version_id"] in off and record["status"] == "open":
+                log.add("ended", record, status="ended")
         log.keep(state)
         _switch_off(state, name, off)
-    return [one["episode_id"] for one in about]
+    return [record["episode_id"] for record in about]
 
 
 def left_out(state: State, name: str) -> dict[str, list[tuple[Instant, Instant]]]:
@@ -228,15 +230,15 @@ def left_out(state: State, name: str) -> dict[str, list[tuple[Instant, Instant]]
     if monitor is None:
         return {}
     slots, kind = {"monitor_id": monitor["monitor_id"]}, kind_of(monitor)
-    said = [row for row in state.rows("stored/alarms/labels", slots) if row["kind"] in DECISIONS]
+    decisions = [row for row in state.rows("stored/alarms/labels", slots) if row["kind"] in DECISIONS]
     episodes = {row["episode_id"]: row for row in records_of(state, slots["monitor_id"])}
     spans: dict[str, list[tuple[Instant, Instant]]] = {}
-    for number, row in enumerate(said, start=1):
-        if row["kind"] in UNHEALTHY and not any(_replaces(one, row) for one in said[number:]):
-            told = {"onset_time": row["time_from"], "last_time": row["time_to"]}
-            told = episodes.get(row["episode_id"], told)
-            begin = min(row["time_from"], told["onset_time"])
-            end = max(row["time_to"], told["last_time"])
+    for number, row in enumerate(decisions, start=1):
+        if row["kind"] in UNHEALTHY and not any(_replaces(later, row) for later in decisions[number:]):
+            episode = {"onset_time": row["time_from"], "last_time": row["time_to"]}
+            episode = episodes.get(row["episode_id"], episode)
+            begin = min(row["time_from"], episode["onset_time"])
+            end = max(row["time_to"], episode["last_time"])
             span = shown_instant(begin, kind), shown_instant(end, kind)
             spans.setdefault(row["asset"], []).append(span)
     return spans
@@ -259,7 +261,7 @@ def _check_kind(kind: str, until: dt.datetime | None) -> None:
 
 
 def _ticks(span: tuple[Instant, Instant], kind: TimeKind) -> tuple[int, int]:
-    start, end = (instant(one, kind, "label") for one in span)
+    start, end = (instant(edge, kind, "label") for edge in span)
     if end < start:
         raise ParameterError(
             f"The label ends at {shown_instant(end, kind)}, before it begins at "
@@ -286,14 +288,14 @@ def _episode(number: int, records: Sequence[Row]) -> Row:
     return row
 
 
-def _check_agrees(kind: str, about: Sequence[Row], asset: str, given: Sequence[Row]) -> None:
+def _check_agrees(kind: str, about: Sequence[Row], asset: str, labels: Sequence[Row]) -> None:
     """Refuse a decision where another one was made of the same episode, or of the machine meanwhile."""
-    decisions = [said for said in reversed(given) if said["kind"] in DECISIONS]
+    decisions = [row for row in reversed(labels) if row["kind"] in DECISIONS]
     for row in about:
-        said = next((one for one in decisions if _is_about(one, row, asset)), None)
-        if said is not None and said["kind"] != kind:
+        decision = next((decision for decision in decisions if _is_about(decision, row, asset)), None)
+        if decision is not None and decision["kind"] != kind:
             raise ParameterError(
-                f"Episode {row['episode_id']} is labelled {said['kind']} already, which {kind} "
+                f"Episode {row['episode_id']} is labelled {decision['kind']} already, which {kind} "
                 "contradicts; if that was wrong, say --instead."
             )
 
@@ -311,12 +313,12 @@ def _meet(start: int, end: int, episode: Row) -> bool:
 
 def _switch_off(state: State, name: str, versions: set[int]) -> None:
     """Let channels be judged no more until they are calibrated again."""
-    made = []
+    rows = []
     for row in limits(state, name) if versions else ():
         if row["version_id"] in versions and row["reason"] is None:
             (begin,) = state.rows("stored/alarms/next_judgement", {"version_id": row["version_id"]})
-            said = {"reason": UNREPRESENTATIVE, "cause": "false_alarm", "created": now()}
+            why = {"reason": UNREPRESENTATIVE, "cause": "false_alarm", "created": now()}
             numbers = {"limit_no": row["limit_no"] + 1, "from_judgement": begin["next_no"] or 0}
-            made.append({**row, **dict.fromkeys(CHOSEN), **said, **numbers})
-    if made:
-        state.append_rows("limit", made)
+            rows.append({**row, **dict.fromkeys(CHOSEN), **why, **numbers})
+    if rows:
+        state.append_rows("limit", rows)

@@ -95,9 +95,15 @@ def check_state(
     monitor_id, began = monitor["monitor_id"], now()
     buckets, oldest = check.soundness(monitor_id)
     check.versions = {row["version_id"]: row for row in reader.with_programs(check.versions.values())}
-    for one in inconsistencies(state, monitor_id, reader.kind, check.versions, oldest):
-        key = one.version_id if one.version_id in check.versions else None
-        check.note(key, one.part, what=one.what, differing=one.differing, since=one.since)
+    for inconsistency in inconsistencies(state, monitor_id, reader.kind, check.versions, oldest):
+        key = inconsistency.version_id if inconsistency.version_id in check.versions else None
+        check.note(
+            key,
+            inconsistency.part,
+            what=inconsistency.what,
+            differing=inconsistency.differing,
+            since=inconsistency.since,
+        )
     usable = {key: row for key, row in check.versions.items() if key not in check.unusable}
     check.look()
     most = limit or state.session.rows_at_once()
@@ -106,12 +112,12 @@ def check_state(
     for _, alike in groupby(sorted(check.taught(usable.values()), key=_learning), key=_learning):
         for group in whole_pools(alike, check.readings, most):
             check.calibration(group)
-    made = sorted(check.found, key=_place)
+    differences = sorted(check.differences, key=_place)
     versions = check.versions.values()
     channels = len({row["channel_id"] for row in versions})
-    proof = Proof(STATE, began, channels, len(versions), buckets, len(made))
+    proof = Proof(STATE, began, channels, len(versions), buckets, len(differences))
     uncompared = sorted(check.uncompared, key=lambda row: (*name_of(row), row["version"], row["part"]))
-    return Checked(table_of(made, _RESULT), table_of(uncompared, _UNCOMPARED), proof)
+    return Checked(table_of(differences, _RESULT), table_of(uncompared, _UNCOMPARED), proof)
 
 
 class _Check:
@@ -120,14 +126,14 @@ class _Check:
         self.again, self.lookback = Again(state, reader, on_step), lookback
         self.versions: dict[int, Row] = {}
         self.unusable: set[int] = set()
-        self.found: list[Row] = []
+        self.differences: list[Row] = []
         self.uncompared: list[Row] = []
         self.readings: dict[tuple[str, str], int] = {}
         self.edges: dict[tuple[str, str], Row] = {}
 
-    def note(self, version_id: int | None, part: str, **said: Any) -> None:
+    def note(self, version_id: int | None, part: str, **figures: Any) -> None:
         """Note a difference of a version, or of none."""
-        self.found.append({**self._named(version_id), "part": part, **said})
+        self.differences.append({**self._named(version_id), "part": part, **figures})
 
     def leave(
         self, version_id: int, part: str, why: str, since: int | None = None, until: int | None = None
@@ -160,8 +166,8 @@ class _Check:
                 self.unusable |= set() if row["is_usable"] else {row["version_id"]}
                 what = f"changed since calibration froze it: {row['said']}"
                 self.note(row["version_id"], "frozen", what=what, differing=1)
-            for step, said in _WORDS["held"].items():
-                ((part, held),) = said.items()
+            for step, parts in _WORDS["held"].items():
+                ((part, held),) = parts.items()
                 for row in running.rows(step):
                     buckets += row.get("buckets", 0)
                     key = row["version_id"]  # where nothing scores any more, scoring mends nothing
@@ -215,13 +221,13 @@ class _Check:
             if following["first_scored"] is None:  # what a run recorded was spoiled, which is named
                 following = row
             until = self._until(version, newest, following["first_scored"] - 1, ends.get(key))
-            kept = {"first_kept": version["first_bucket"], "first_novel": version["first_novel"]}
+            firsts = {"first_kept": version["first_bucket"], "first_novel": version["first_novel"]}
             until |= {
                 "until_settled": following["first_scored"] - 1,
                 "next_bucket": following["first_bucket"],
                 "is_ended": ends.get(key, LONG_AGO) >= following["first_scored"],
             }
-            planned.append({**row, **kept, **until, "is_gone": is_gone})
+            planned.append({**row, **firsts, **until, "is_gone": is_gone})
         return planned
 
     def _until(self, version: Row, newest: int | None, settled: int, end: int | None) -> Row:
@@ -249,32 +255,34 @@ class _Check:
 
     def scored(self, group: Sequence[Row]) -> None:
         """Compare the buckets and novel cells of a group of one setting."""
-        made = self.again.scored(group)
-        told = {row["owner_id"] for row in made.buckets}
-        for row in made.buckets:
+        scored = self.again.scored(group)
+        reported = {row["owner_id"] for row in scored.buckets}
+        for row in scored.buckets:
             what = (
                 f"{row['only_made']:,} buckets that the source gives are not stored, "
                 f"{row['only_stored']:,} are stored that it does not give"
             )
             samples = {name: row[name] for name in ("samples_then", "samples_now")}
-            said = {"what": what, "differing": row["differing"], "since": row["since"]}
-            self.note(row["owner_id"], "scored", **samples, **said)
+            difference = {"what": what, "differing": row["differing"], "since": row["since"]}
+            self.note(row["owner_id"], "scored", **samples, **difference)
         for rows, part, of in (
-            (made.novel, "novel cells", "novel cells"),
-            (made.programs, "scored", "readings of unknown programs"),
+            (scored.novel, "novel cells", "novel cells"),
+            (scored.programs, "scored", "readings of unknown programs"),
         ):
             for row in rows:
-                if row["owner_id"] not in told:  # else it follows from the buckets
-                    said = {name: row[name] for name in ("differing", "since")}
-                    self.note(row["owner_id"], part, what=f"{of} that the source does not give", **said)
+                if row["owner_id"] not in reported:  # else it follows from the buckets
+                    difference = {name: row[name] for name in ("differing", "since")}
+                    self.note(
+                        row["owner_id"], part, what=f"{of} that the source does not give", **difference
+                    )
         for row in group:
-            key, read = row["version_id"], made.reread.get(row["channel_id"])
+            key, read = row["version_id"], scored.reread.get(row["channel_id"])
             version = self.versions[key]
-            if read is not None and not read["ends_now"] and key not in told and not row["is_gone"]:
+            if read is not None and not read["ends_now"] and key not in reported and not row["is_gone"]:
                 what = "the last run ended at an instant at which the source has no row"
                 self.note(key, "runs", what=what, differing=1)
             latest = self.edges.get(name_of(version), {}).get("latest")
-            end = row["until_late" if key in made.late else "until"]
+            end = row["until_late" if key in scored.late else "until"]
             if latest is not None and latest > end:
                 self.leave(key, "scored", NEXT_RUN, since=end)
 
@@ -285,7 +293,7 @@ class _Check:
         """
         rows = [row for row in versions if row["lo"] is not None]
         used = {row["support_id"] for row in rows if row["is_active"]}
-        found: list[Row] = []
+        learnable: list[Row] = []
         for support, pool in by("support_id", rows).items():
             teachers = [row for row in pool if row["calibration_end"] is not None]
             edges = [self.edges.get(name_of(row), {}).get("earliest") for row in teachers]
@@ -298,8 +306,8 @@ class _Check:
                 for row, oldest in zip(teachers, edges, strict=True):
                     self.leave(row["version_id"], "calibration", GONE, until=oldest)
             else:
-                found += pool
-        return found
+                learnable += pool
+        return learnable
 
     def calibration(self, group: Sequence[Row]) -> None:
         """Compare what the frozen intervals of pools of one setting teach now with what they taught."""
@@ -318,22 +326,22 @@ class _Check:
         }
         for row in group:
             key, then = row["version_id"], row["calibration_readings"]
-            found = counted.get(key, {}).get("calibration_readings", 0)
-            said = {**words.get(row["support_id"], {}), **words.get(key, {})}
+            readings = counted.get(key, {}).get("calibration_readings", 0)
+            part_counts = {**words.get(row["support_id"], {}), **words.get(key, {})}
             if row["support_id"] in lost:
                 if row["calibration_end"] is None:
                     continue
                 self.leave(key, "calibration", GONE, until=self.edges[name_of(row)]["earliest"])
-            elif found != then or said:
-                what = ", ".join(f"{part} ({count:,})" for part, count in said.items()) or None
-                samples = {"samples_then": then, "samples_now": found}
-                self.note(key, "calibration", what=what, differing=sum(said.values()), **samples)
-            elif row["is_active"] and row["counted_readings"] not in (None, found):
+            elif readings != then or part_counts:
+                what = ", ".join(f"{part} ({count:,})" for part, count in part_counts.items()) or None
+                samples = {"samples_then": then, "samples_now": readings}
+                self.note(key, "calibration", what=what, differing=sum(part_counts.values()), **samples)
+            elif row["is_active"] and row["counted_readings"] not in (None, readings):
                 what = "the last run that counted rows of calibration found another number"
                 self.note(key, "runs", what=what, differing=1)
 
     def _running(self, steps: Pipeline) -> Running:
-        return Running(self.session, steps, self.state.tables.placed(), self.on_step)
+        return Running(self.session, steps, self.state.tables.nodes(), self.on_step)
 
 
 def _lacks_first(row: Row, read: Row, oldest: int) -> bool:

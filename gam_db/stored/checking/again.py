@@ -33,7 +33,7 @@ _LATER = {"ladder": "ladder", "band": "band", "buffered": "extent", "extent": "b
 
 
 def compared(
-    running: Running, table: str, made: str, kept: str, among: exp.Expr | None = None
+    running: Running, table: str, computed: str, stored: str, among: exp.Expr | None = None
 ) -> list[Row]:
     """Compare rows of a state table with those made again; both are steps, or tables that stand for one.
 
@@ -44,10 +44,10 @@ def compared(
         Rows with owner_id, stored, only_stored, only_made, differing (the larger of the two),
         samples_then, samples_now and since, where they differ.
     """
-    running.prepare(made)
+    running.prepare(computed)
     schema = columns_of(table)
     left_out = {"run_id"} if table in ("bucket", "novel", "unknown_program") else set()
-    names = [name for name in running.steps.steps[made].query.named_selects if name not in left_out]
+    names = [name for name in running.steps.steps[computed].query.named_selects if name not in left_out]
     shares = [name for name in names if schema.field(name).type == SHARE]
     unlike = [
         condition
@@ -68,12 +68,12 @@ def compared(
         "since": exp.column("first_time") if "first_time" in names else exp.cast(exp.null(), "BIGINT"),
         "samples": exp.column("samples") if "samples" in names else exp.Literal.number(0),
     }
-    steps = {"made_rows": made}
-    if kept in running.steps.steps:
-        steps["kept_rows"] = kept
+    steps = {"made_rows": computed}
+    if stored in running.steps.steps:
+        steps["kept_rows"] = stored
     else:
-        running.placed["kept_rows"] = running.placed[kept]
-    rows = running.asked("stored/checking/compared", slots, steps)
+        running.tables["kept_rows"] = running.tables[stored]
+    rows = running.query_rows("stored/checking/compared", slots, steps)
     return [{**row, "differing": max(row["only_stored"], row["only_made"])} for row in rows]
 
 
@@ -132,7 +132,7 @@ class Again:
         with self._running(steps) as running:
             cohort = cohort_of(members, read_from=LONG_AGO, read_until=ends, first_bucket=0)
             running.load("cohort", cohort)
-            running.placed["limits"] = running.placed["cohort"]
+            running.tables["limits"] = running.tables["cohort"]
             numbering = [
                 {
                     "channel_id": number,
@@ -149,9 +149,9 @@ class Again:
             self._read(running, self.reader.readings(assets_of(group), earliest, edges["latest"]))
             counted = {version[row["channel_id"] - 1]: dict(row) for row in running.rows("recount")}
             for row in running.rows("blocks"):
-                known = counted.setdefault(version[row["channel_id"] - 1], {})
-                known["taught_from"] = min(
-                    row["first_time"], known.get("taught_from", row["first_time"])
+                recount = counted.setdefault(version[row["channel_id"] - 1], {})
+                recount["taught_from"] = min(
+                    row["first_time"], recount.get("taught_from", row["first_time"])
                 )
             parts = (part for part in LEARNT if f"{part}_rows" in running.steps.steps)
             differing = {part: self._part(running, part, group) for part in parts}
@@ -217,9 +217,9 @@ class Again:
             ]
             running.load("cohort", cohort_of(group, read_until=until, settled=settled, **begin))
             running.load("stamp", table_of([{"run_id": 0}], counts("run_id")))
-            found = {"unknown_program": list[Row]()}
+            differences = {"unknown_program": list[Row]()}
             programs = shared_by(group).has_programs
-            for table, kept in former(programs).items():
+            for table, step in former(programs).items():
                 column = "novel_from" if table == "novel" else "oldest_bucket"
                 firsts = zip(group, begin[column], strict=True)
                 running.load(
@@ -231,10 +231,12 @@ class Again:
                         for row, first in zip(group, begin[column], strict=True)
                     ]
                     running.load("run_rows", table_of(recorded, _RECORDED))
-                slots = former_slots(table, _kept(column), exp.true(), programs)
-                running.make(f"stored/scoring/{kept}", slots)
-                found[table] = compared(running, table, f"{table}_rows", kept)
-        return Scored(found["bucket"], found["novel"], found["unknown_program"], again, late)
+                slots = former_slots(table, _stored_buckets(column), exp.true(), programs)
+                running.make(f"stored/scoring/{step}", slots)
+                differences[table] = compared(running, table, f"{table}_rows", step)
+        return Scored(
+            differences["bucket"], differences["novel"], differences["unknown_program"], again, late
+        )
 
     def _cut(self, running: Running, cohort: pa.Table) -> None:
         """Let the readings of each channel end where a cohort says."""
@@ -247,8 +249,8 @@ class Again:
         past = near(group, buckets_of(group[0]))
         running.make("stored/scoring/past_buckets", past_slots(setting_of(group[0]), past))
         running.keep("new_buckets")
-        made = self.session.rows(_last_made(running))
-        return {row["channel_id"]: row["last_bucket"] for row in made}
+        buckets = self.session.rows(_last_buckets(running))
+        return {row["channel_id"]: row["last_bucket"] for row in buckets}
 
     def _part(self, running: Running, part: str, group: Sequence[Row]) -> list[Row]:
         owner = "support_id" if part in OF_SUPPORT else "version_id"
@@ -264,28 +266,28 @@ class Again:
         running.put("identified", identified(running, readings))
 
     def _running(self, steps: Pipeline) -> Running:
-        return Running(self.session, steps, self.state.tables.placed(), self.on_step)
+        return Running(self.session, steps, self.state.tables.nodes(), self.on_step)
 
 
 def _cut(running: Running) -> exp.Query:
     """Return the readings of each channel up to where its cohort ends."""
     names = ("channel_id", "time", "value", *["program"] * (JUDGED in running.steps.steps))
-    said = [exp.column(name, table="reading").as_(name) for name in names]
+    columns = [exp.column(name, table="reading").as_(name) for name in names]
     same = exp.column("channel_id", table="member").eq(exp.column("channel_id", table="reading"))
     until = exp.column("time", table="reading") <= exp.column("read_until", table="member")
-    reading, member = (running.placed[step].copy() for step in ("identified", "cohort"))
-    rows = exp.select(*said).from_(exp.alias_(reading, "reading", table=True))
+    reading, member = (running.tables[step].copy() for step in ("identified", "cohort"))
+    rows = exp.select(*columns).from_(exp.alias_(reading, "reading", table=True))
     return rows.join(exp.alias_(member, "member", table=True), on=same).where(until)
 
 
-def _last_made(running: Running) -> exp.Query:
+def _last_buckets(running: Running) -> exp.Query:
     """Return the last bucket that was made of each channel."""
     last = exp.Max(this=exp.column("bucket_no")).as_("last_bucket")
-    rows = exp.select(exp.column("channel_id"), last).from_(running.placed["new_buckets"].copy())
+    rows = exp.select(exp.column("channel_id"), last).from_(running.tables["new_buckets"].copy())
     return rows.group_by(exp.column("channel_id"))
 
 
-def _kept(column: str) -> exp.Expr:
+def _stored_buckets(column: str) -> exp.Expr:
     """Return the condition on *bucket* that holds for what is stored and is to be compared."""
     number = exp.column("bucket_no", table="bucket")
     first, end = (exp.column(name, table="member") for name in (column, "settled"))

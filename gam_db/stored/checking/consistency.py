@@ -35,7 +35,7 @@ _BASES = ("replay", "extrapolated", _TABLED, _DRIFTS, _NO_RATE)
 #: What a change of an episode leaves it as.
 _LEAVES = {
     **{"opened": ("open",), "reopened": ("open",), "ended": ("ended",), "changed": ("open", "ended")},
-    **{one: (one,) for one in ("merged", "withdrawn", "recalibrated")},
+    **{status: (status,) for status in ("merged", "withdrawn", "recalibrated")},
     "labelled": ("open", "ended", "recalibrated"),
 }
 
@@ -76,10 +76,10 @@ def inconsistencies(
     active = [row for row in versions.values() if row["is_active"]]
     wrong = by("version_id", _unlike(state, monitor_id, active))
     for row in active:
-        if found := wrong.get(row["version_id"]):
-            since = min(one["first_time"] for one in found)
+        if episodes := wrong.get(row["version_id"]):
+            since = min(episode["first_time"] for episode in episodes)
             what = "episodes that are not those of the judgements"
-            yield Inconsistency(row["version_id"], "episodes", what, len(found), since)
+            yield Inconsistency(row["version_id"], "episodes", what, len(episodes), since)
     for row in state.rows("stored/checking/inconsistent_bands", slots):
         what = "judgements whose bands are not all of their vectors"
         yield Inconsistency(row["version_id"], "episodes", what, row["differing"])
@@ -96,29 +96,29 @@ def _limits(
     rows = state.rows("stored/checking/kept_limits", {"monitor_id": monitor_id})
     with learnt(state, monitor_id) as work:
         version_of = {row["channel_id"]: row["version_id"] for row in work.rows("limit_channels")}
-        said: dict[int, dict[int, Row]] = defaultdict(dict)
+        learnt_limits: dict[int, dict[int, Row]] = defaultdict(dict)
         for row in work.rows("learnt_limits"):
-            said[version_of[row["channel_id"]]][row["g"]] = row
+            learnt_limits[version_of[row["channel_id"]]][row["g"]] = row
     day = day_of(kind)
-    for rows_of in said.values():
+    for rows_of in learnt_limits.values():
         assess(rows_of[NEAR], day)
-    for version, own in by("version_id", rows).items():
+    for version, limit_rows in by("version_id", rows).items():
         if not versions[version]["is_active"]:
             continue
-        numbers, begins = ([row[name] for row in own] for name in ("limit_no", "from_judgement"))
-        if numbers != list(range(1, len(own) + 1)) or begins[0] != 0 or begins != sorted(begins):
+        numbers, begins = ([row[name] for row in limit_rows] for name in ("limit_no", "from_judgement"))
+        if numbers != list(range(1, len(limit_rows) + 1)) or begins[0] != 0 or begins != sorted(begins):
             yield Inconsistency(version, "limits", "numbers are missing, or judgements without a limit")
-        if version in said:
-            off = accumulate((row["cause"] == "false_alarm" for row in own), or_)
-            pairs = zip(own, off, strict=True)
-            wrong = sum(not _follows(row, said[version], is_off) for row, is_off in pairs)
+        if version in learnt_limits:
+            off = accumulate((row["cause"] == "false_alarm" for row in limit_rows), or_)
+            pairs = zip(limit_rows, off, strict=True)
+            wrong = sum(not _follows(row, learnt_limits[version], is_off) for row, is_off in pairs)
             if wrong:
                 yield Inconsistency(version, "limits", "limits that calibration does not give", wrong)
 
 
-def _follows(row: Row, said: Mapping[int, Row], is_off: bool) -> bool:
+def _follows(row: Row, learnt_limits: Mapping[int, Row], is_off: bool) -> bool:
     """Tell whether a limit is what calibration gives, as far as it does not hang on other channels."""
-    near = said[NEAR]
+    near = learnt_limits[NEAR]
     reason = UNREPRESENTATIVE if is_off else near["reason"]
     wanted = {name: near[name] for name in ("blocks", "judgements_per_day", "order_ratio")}
     wanted["reason"] = reason
@@ -126,10 +126,10 @@ def _follows(row: Row, said: Mapping[int, Row], is_off: bool) -> bool:
         wanted |= dict.fromkeys(CHOSEN)
         if near["hi_limit"] is not None and reason != UNREPRESENTATIVE:
             wanted |= indicated(near["hi_limit"], near["window_length"])
-        return row["g"] in said and _same(row, wanted)
+        return row["g"] in learnt_limits and _same(row, wanted)
     basis, quarters, rate = row["basis"], row["quarters"], row["rate"]
     try:
-        asked = Rate.of(row["asked"])
+        wanted_rate = Rate.of(row["asked"])
     except ParameterError:
         return False
     if (
@@ -140,9 +140,9 @@ def _follows(row: Row, said: Mapping[int, Row], is_off: bool) -> bool:
         or (basis == _TABLED and quarters != by_table(rate, row["blocks"]).quarters)
     ):
         return False
-    if asked.days is None:
-        wanted["rate"] = asked.per_judgement(None, 0.0)
-    wanted |= {name: said[row["g"]][name] for name in ("centre", "spread")}
+    if wanted_rate.days is None:
+        wanted["rate"] = wanted_rate.per_judgement(None, 0.0)
+    wanted |= {name: learnt_limits[row["g"]][name] for name in ("centre", "spread")}
     wanted |= high({**row, **wanted}, Height(row["quarters"], row["basis"]))
     return _same(row, wanted)
 
@@ -171,13 +171,13 @@ def _judgements(state: State, buckets: int, group: Sequence[Row]) -> Iterator[In
         until.append({"channel_id": key, "version_id": key, **judged})
     steps = judging_steps(buckets, exp.true(), exp.true())
     add(steps, "stored/checking/kept_judgements")
-    with Running(state.session, steps, state.tables.placed()) as running:
+    with Running(state.session, steps, state.tables.nodes()) as running:
         running.load("judged_until", table_of(until, UNTIL))
         for step, schema in NOTHING_NEW.items():
             running.load(step, table_of([], schema))
-        found = compared(running, "judgement", "judgement_rows", "kept_judgements")
+        differences = compared(running, "judgement", "judgement_rows", "kept_judgements")
     active = {row["version_id"] for row in group if row["is_active"]}
-    for row in found:
+    for row in differences:
         since = row["since"] if row["owner_id"] in active else None
         what = "judgements that their buckets and limits do not give"
         yield Inconsistency(row["owner_id"], "judgements", what, row["differing"], since)
@@ -191,12 +191,12 @@ def _unlike(state: State, monitor_id: int, active: Sequence[Row]) -> list[Row]:
     due = {row["version_id"] for row in pending(state, active, 0)} if active else set()
     active = [row for row in active if row["version_id"] not in due]
     judged = dict.fromkeys((row["version_id"] for row in active), 0)
-    known = judged.keys()
-    found: list[Row] = []
+    version_ids = judged.keys()
+    unlike: list[Row] = []
     for _, group in groupby(sorted(active, key=buckets_of), key=buckets_of):
         rows = changes(state, monitor_id, list(group), judged).rows
-        found += [row for row in rows if row["version_id"] in known]
-    return found
+        unlike += [row for row in rows if row["version_id"] in version_ids]
+    return unlike
 
 
 def _episodes(
@@ -260,12 +260,12 @@ def _labels(
         ):
             what = f"label {row['label_id']} is of nothing, or contradicts itself"
             yield Inconsistency(None, "labels", what)
-    known = {row["episode_id"] for row in labels}
+    labelled = {row["episode_id"] for row in labels}
     beside = by("asset", (row for row in labels if row["episode_id"] is None))
     for row in marked:
-        if row["episode_id"] not in known and not any(
-            one["time_from"] <= row["last_time"] and row["first_time"] <= one["time_to"]
-            for one in beside.get(channels.get(row["channel_id"], ""), ())
+        if row["episode_id"] not in labelled and not any(
+            label["time_from"] <= row["last_time"] and row["first_time"] <= label["time_to"]
+            for label in beside.get(channels.get(row["channel_id"], ""), ())
         ):
             what = "an episode was labelled, and no label says how"
             yield Inconsistency(row["version_id"], "labels", what)

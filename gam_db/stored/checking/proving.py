@@ -64,16 +64,16 @@ def mismatched(state: State, wanted: exp.Table) -> list[Row]:
     Returns:
         Rows with version_id; said, what of it differs, in words; is_usable, whether only cells do.
     """
-    found = []
-    placed = {**state.tables.placed(), "wanted": wanted}
-    for row in state.session.rows(matching_steps().query("mismatched", placed)):
+    mismatches = []
+    tables = {**state.tables.nodes(), "wanted": wanted}
+    for row in state.session.rows(matching_steps().query("mismatched", tables)):
         words = data.table("gam_db.stored.checking", "checks.toml")["frozen"]
-        said = ", ".join(what for column, what in words.items() if row[column])
+        sentence = ", ".join(what for column, what in words.items() if row[column])
         if not row["summed"]:
-            said = "its bounds or its checksum are not there just once"
+            sentence = "its bounds or its checksum are not there just once"
         is_usable = row["summed"] and not any(row[name] for name in _NEEDED)
-        found.append({"version_id": row["version_id"], "said": said, "is_usable": is_usable})
-    return found
+        mismatches.append({"version_id": row["version_id"], "said": sentence, "is_usable": is_usable})
+    return mismatches
 
 
 def verify(state: State, wanted: exp.Table, versions: Sequence[Row]) -> None:
@@ -82,15 +82,15 @@ def verify(state: State, wanted: exp.Table, versions: Sequence[Row]) -> None:
     Raises:
         StateError: what of which channel differs, and what to do.
     """
-    found = mismatched(state, wanted)
-    if not found:
+    rows = mismatched(state, wanted)
+    if not rows:
         return
     names = {row["version_id"]: f"{row['asset']} {row['channel']}" for row in versions}
-    told = sorted(f"{names[row['version_id']]!r}: {row['said']}" for row in found)[:_SHOWN]
-    more = f"; and {len(found) - _SHOWN:,} more" if len(found) > _SHOWN else ""
+    shown = sorted(f"{names[row['version_id']]!r}: {row['said']}" for row in rows)[:_SHOWN]
+    more = f"; and {len(rows) - _SHOWN:,} more" if len(rows) > _SHOWN else ""
     raise StateError(
-        f"What calibration froze in {state.tables}* was changed or damaged since, of {len(found):,} "
-        f"channel{'s' * (len(found) != 1)} ({'; '.join(told)}{more}). Nothing is scored by it. Put the "
+        f"What calibration froze in {state.tables}* was changed or damaged since, of {len(rows):,} "
+        f"channel{'s' * (len(rows) != 1)} ({'; '.join(shown)}{more}). Nothing is scored by it. Put the "
         "tables back from a copy of the database, or learn anew by `gam calibrate --again`; `gam check "
         "--state` says what else differs."
     )
@@ -104,7 +104,10 @@ def verify_daily(state: State, monitor: Row) -> bool:
     """
     began = now()
     proofs = last_proofs(state, monitor["monitor_id"])
-    times = [monitor["created"], *(one.proved_at for one in proofs.values() if not one.differences)]
+    times = [
+        monitor["created"],
+        *(proof.proved_at for proof in proofs.values() if not proof.differences),
+    ]
     if any(0 <= began - time < DAY for time in times):
         return False
     rows = state.rows("stored/state/active", {"monitor_id": monitor["monitor_id"]})

@@ -127,10 +127,10 @@ def rows_of(channels: Iterable[Row], readings: Mapping[tuple[str, str], int]) ->
 
 def by(column: str, rows: Iterable[Row]) -> dict[Any, list[Row]]:
     """Return rows by the value of a column, in the order of the first of each."""
-    found: dict[Any, list[Row]] = {}
+    groups: dict[Any, list[Row]] = {}
     for row in rows:
-        found.setdefault(row[column], []).append(row)
-    return found
+        groups.setdefault(row[column], []).append(row)
+    return groups
 
 
 def _below(

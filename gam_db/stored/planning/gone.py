@@ -25,16 +25,16 @@ def whole_plan_rows(state: State, monitor_id: int, oldest: Mapping[int, int]) ->
     if not oldest:
         return {}
     rows = [{"version_id": key, "oldest_time": time} for key, time in oldest.items()]
-    placed = state.tables.placed()
-    with Running(state.session, whole_plan_steps(monitor_id), placed) as running:
+    tables = state.tables.nodes()
+    with Running(state.session, whole_plan_steps(monitor_id), tables) as running:
         running.load("oldest_rows", table_of(rows, counts("version_id oldest_time")))
         begun = {row["version_id"]: row["begin_time"] for row in running.rows("restart")}
-        found = {row["version_id"]: row for row in running.rows("plan")}
+        plans = {row["version_id"]: row for row in running.rows("plan")}
         first = {row["version_id"]: row["run_up_from"] for row in running.rows("active")}
     return {
-        key: {**found[key], **({"context_expected": None} if found[key]["read_from"] < time else {})}
+        key: {**plans[key], **({"context_expected": None} if plans[key]["read_from"] < time else {})}
         for key, time in oldest.items()
-        if key in begun and key in found and time > (first[key] if first[key] > LONG_AGO else begun[key])
+        if key in begun and key in plans and time > (first[key] if first[key] > LONG_AGO else begun[key])
     }
 
 
@@ -46,9 +46,9 @@ def staying_rows(
     The source was looked at from where the first row is read on, and *names* is what that gave. Where a
     channel begins later than its row is to be read, it is asked whether it has anything older.
     """
-    found = {name_of(row): row["earliest"] for row in names if row["readings"]}
-    known = [row for row in rows if row["restarts"]]
-    late = [row for row in known if found.get(name_of(row), LONG_AGO) > row["read_from"]]
+    earliest = {name_of(row): row["earliest"] for row in names if row["readings"]}
+    restarting = [row for row in rows if row["restarts"]]
+    late = [row for row in restarting if earliest.get(name_of(row), LONG_AGO) > row["read_from"]]
     if not late:
         return {}
     begins = max(row["read_from"] for row in late)
@@ -58,7 +58,7 @@ def staying_rows(
         looked = state.session.rows(steps.query("names"))
         older = {name_of(row): row["earliest"] for row in looked if row["readings"]}
     oldest = {
-        row["version_id"]: found[name_of(row)]
+        row["version_id"]: earliest[name_of(row)]
         for row in late
         if older.get(name_of(row), row["read_from"]) >= row["read_from"]
     }

@@ -8,10 +8,10 @@ from gam_db.method.programs import JUDGED, coded, keyed, numbers
 from gam_db.method.slots import code_in
 
 
-def add_moves(one: OfSet) -> None:
+def add_moves(of_set: OfSet) -> None:
     """Add *move_counts* over *placed*: the novel vectors that are healthy once a change is undone."""
-    setting = one.setting
-    programs, (_, tables) = numbers(one), coded(one, JUDGED)
+    setting = of_set.setting
+    programs, (_, tables) = numbers(of_set), coded(of_set, JUDGED)
     value = exp.column("value")
     delayed = [
         exp.alias_(
@@ -22,9 +22,9 @@ def add_moves(one: OfSet) -> None:
     carried = [*(exp.column(f"x_{k}") for k in range(1, setting.m)), *programs]
     of_sample = [exp.alias_(exp.column(of.name, table="newest"), of.name) for of in carried]
     slots: dict[str, template.Slot] = {"delayed": [*delayed, *programs], "carried": of_sample}
-    one.add("stored/alarms/reread", {**slots, "window": setting.window}, tables=tables)
-    one.add("stored/alarms/reread_usual")
-    one.add("stored/alarms/moves")
+    of_set.add("stored/alarms/reread", {**slots, "window": setting.window}, tables=tables)
+    of_set.add("stored/alarms/reread_usual")
+    of_set.add("stored/alarms/moves")
     undone = [
         exp.alias_(
             template.fill("stored/alarms/unmoved", {"value": exp.column(f"x_{k}", table="vector")}),
@@ -38,5 +38,5 @@ def add_moves(one: OfSet) -> None:
     ]
     ran = [exp.alias_(exp.column(of.name, table="vector"), of.name) for of in programs]
     filled: dict[str, template.Slot] = {"samples": [*undone, *ran], "codes": [*codes, *programs]}
-    one.add("stored/alarms/moved", {**filled, **keyed(one)})
-    one.add("stored/alarms/move_counts")
+    of_set.add("stored/alarms/moved", {**filled, **keyed(of_set)})
+    of_set.add("stored/alarms/move_counts")

@@ -76,8 +76,8 @@ class Reader:
 
     def validity(self, earliest: int = LONG_AGO) -> exp.Query:
         """Return the same from an instant on, the reading being 1 or 0: whether it is valid."""
-        asked = self._source, self._relation, self.kind
-        return self._engine.readings(*asked, earliest, validity=True)
+        arguments = self._source, self._relation, self.kind
+        return self._engine.readings(*arguments, earliest, validity=True)
 
     @property
     def has_validity(self) -> bool:
@@ -159,16 +159,16 @@ def searched_plan_rows(
 
 def _planned(running: Running, steps: Pipeline) -> list[Row]:
     running.steps = steps
-    if "plan" in running.placed:
+    if "plan" in running.tables:
         running.drop("plan")
-    running.put("plan", steps.query("plan", running.placed))
+    running.put("plan", steps.query("plan", running.tables))
     return running.rows("plan")
 
 
 def last_times(state: State, monitor_id: int) -> dict[int, int]:
     """Return the end of what is stored of each version that has a bucket."""
     steps = searched_plan_steps(monitor_id, None, None)
-    rows = state.session.rows(steps.query("newest", state.tables.placed()))
+    rows = state.session.rows(steps.query("newest", state.tables.nodes()))
     return {row["version_id"]: row["newest_time"] for row in rows}
 
 
@@ -185,9 +185,9 @@ def near(rows: Sequence[Row], buckets_before: int = 0) -> exp.Expr:
     return exp.and_(among, exp.GTE(this=number, expression=template.node_of(max(first, 0))))
 
 
-def listed(column: exp.Expr, found: Iterable[int]) -> exp.Expr:
+def listed(column: exp.Expr, ids: Iterable[int]) -> exp.Expr:
     """Return the condition that a column is one of some keys; of many, that it is in their range."""
-    keys = sorted(found)
+    keys = sorted(ids)
     if len(keys) > _LISTED:
         ends = [exp.Literal.number(key) for key in (keys[0], keys[-1])]
         return exp.Between(this=column, low=ends[0], high=ends[1])
@@ -207,7 +207,7 @@ def identified(running: Running, rows: exp.Query) -> exp.Query:
     steps = reading_steps(rows)
     if running.session.engine.reads_first:
         running.put("readings", rows)
-    return steps.query("identified", running.placed)
+    return steps.query("identified", running.tables)
 
 
 def vector_statements(steps: Pipeline) -> list[Statement]:
@@ -220,7 +220,7 @@ def vector_statements(steps: Pipeline) -> list[Statement]:
 
 def make_vectors(running: Running, programs: Programs | None) -> None:
     """Keep *visited*, the scored vectors in groups, of the steps of a run."""
-    plan = Plan.of(running.steps, vector_statements(running.steps), running.placed)
+    plan = Plan.of(running.steps, vector_statements(running.steps), running.tables)
     unverified = tuple(statement for statement in plan.statements if statement.kind is not Kind.VERIFY)
     execute(running, plan, {}, programs, Plan(plan.steps, unverified))
 
@@ -252,16 +252,16 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
 
     What differs from the plan (read_until, recounted, settled) is one value for all, or one for each.
     """
-    made = []
+    channels = []
     for number, row in enumerate(rows):
-        said = {
+        row_columns = {
             name: value[number] if isinstance(value, list) else value for name, value in columns.items()
         }
         length, stride = row.get("window_length"), row.get("stride")
         buckets = None if length is None or stride is None else length // stride
         usual = {"buckets": buckets, "recounted": 0, "settled": 0, "novel_from": 0, "differs": 0}
         last_read = row.get("read_until", LONG_AGO)
-        made.append(
+        channels.append(
             {
                 "lookback": 0,
                 "bins": None,
@@ -269,10 +269,10 @@ def cohort_of(rows: Sequence[Row], **columns: Any) -> pa.Table:
                 **row,
                 **usual,
                 "last_read": last_read,
-                **said,
+                **row_columns,
             }
         )
-    return table_of(made, _COHORT)
+    return table_of(channels, _COHORT)
 
 
 _COHORT = columns(

@@ -60,7 +60,7 @@ OF_SUPPORT, OF_VERSION = (
 LEARNT = (*OF_SUPPORT, *OF_VERSION)
 
 #: Steps of a run that are kept: what is read once, and what has few rows.
-KEPT = frozenset(
+SMALL_STEPS = frozenset(
     (
         *("identified", "timeline", "collapsed", "seen", "run_up", "moving_codes"),
         f"{INCOMPLETE}moving_codes",
@@ -206,8 +206,8 @@ def add_counting(
     buckets = "new_buckets"
     if has_past:
         add(steps, "stored/scoring/past_buckets", past_slots(setting, exp.true()))
-        kept = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
-        read = (*kept, *["buckets"] * setting.by_column)
+        carried = ("channel_id", "bucket_no", "first_time", "last_time", "novel", "out_of_range")
+        read = (*carried, *["buckets"] * setting.by_column)
         buckets = "running_buckets"
         steps.add(
             buckets,
@@ -247,12 +247,12 @@ def learning_steps(
     Given by the caller are the state tables, *identified*, *cohort*, which is *limits*, too, and
     *numbering*; the last steps are the rows of :data:`LEARNT`, and *recount*.
     """
-    steps = Pipeline(small=KEPT | SMALL_OF_SET | {"learnt", "certified", "changes"})
+    steps = Pipeline(small=SMALL_STEPS | SMALL_OF_SET | {"learnt", "certified", "changes"})
     for name in ("channels", "calibration", "calibration_range", "recount"):
         add(steps, f"stored/scoring/{name}")
     rule = ROBUST if is_robust else MIN_MAX
-    asked = {"target_floor": target_floor, "least_vectors": least_vectors, "range": rule}
-    of_set = _add_samples(steps, setting, kind, asked=asked, has_pools=has_pools)
+    learning = {"target_floor": target_floor, "least_vectors": least_vectors, "range": rule}
+    of_set = _add_samples(steps, setting, kind, learning=learning, has_pools=has_pools)
     add(steps, "calibration/calibrated")
     add_taught_programs(steps, of_set.method.programs)
     add_bounds(of_set)
@@ -277,7 +277,7 @@ def can_trust(setting: Setting, kind: TimeKind) -> bool:
 
 def _frozen(columns: Sequence[str] = ()) -> Pipeline:
     """Return the steps that give what is frozen of the channels of a cohort."""
-    steps = Pipeline(small=KEPT)
+    steps = Pipeline(small=SMALL_STEPS)
     for name in ("channels", "bounds", "calibration", "support"):
         add(steps, f"stored/scoring/{name}", _read_as(columns) if name == "bounds" else None)
     add(steps, "stored/scoring/calibration_range")
@@ -289,12 +289,12 @@ def _add_samples(
     setting: Setting,
     kind: TimeKind,
     trusting: bool = False,
-    asked: Mapping[str, Any] | None = None,
+    learning: Mapping[str, Any] | None = None,
     columns: Sequence[str] = (),
     has_pools: bool = False,
 ) -> OfSet:
     """Add the steps from *identified* to the samples, and return the one set of the setting."""
-    of_set = OfSet(steps, method_of(setting, kind, asked, columns, has_pools), 0)
+    of_set = OfSet(steps, method_of(setting, kind, learning, columns, has_pools), 0)
     if trusting:
         add(steps, "census/trusted_timeline", name="timeline")
         columns = ("channel_id", "time", "value", *["program"] * setting.has_programs)
@@ -312,10 +312,10 @@ def _add_new_buckets(of_set: OfSet, trusting: bool = False, bits: Bits | None = 
     span = span_of(of_set, "member")
     add(steps, "stored/scoring/run_up", {"span": span, **_read_as(of_set.method.columns)})
     ends = dict(ENDS)
-    is_told = setting.still_after is not None
+    has_stillness = setting.still_after is not None
     if not of_set.method.is_parted:
-        add_numbered(of_set, bits, carried=["still_so_far"] * is_told)
-    if is_told:
+        add_numbered(of_set, bits, carried=["still_so_far"] * has_stillness)
+    if has_stillness:
         ends["still_so_far"] = "end_still"
     add_buckets(of_set, ends, trusting, bits)
     add(steps, "stored/scoring/bucket_ends")
@@ -367,7 +367,7 @@ def _read_as(columns: Sequence[str]) -> dict[str, template.Slot]:
 def method_of(
     setting: Setting,
     kind: TimeKind,
-    asked: Mapping[str, Any] | None = None,
+    learning: Mapping[str, Any] | None = None,
     columns: Sequence[str] = (),
     has_pools: bool = False,
 ) -> Method:
@@ -385,6 +385,6 @@ def method_of(
     start = None
     if setting.has_start:
         start = 0 if kind.is_counter else dt.date(1970, 1, 1)
-    parameters = Parameters(**figures, **(asked or {}))
+    parameters = Parameters(**figures, **(learning or {}))
     calibration = Calibration(score_from=start, pool=[["*"]] if has_pools else None)
     return Method(parameters, calibration, kind, columns=tuple(columns), programs=setting.programs)

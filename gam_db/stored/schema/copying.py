@@ -80,8 +80,8 @@ def _remove_left(path: Path) -> None:
     mark = re.compile(re.escape(f".{path.name}.") + "gam_[0-9a-f]{8}")
     left: dict[str, list[Path]] = {}
     for file in path.parent.iterdir():
-        if found := mark.match(file.name):
-            left.setdefault(found[0], []).append(file)
+        if match := mark.match(file.name):
+            left.setdefault(match[0], []).append(file)
     for name, files in left.items():
         with contextlib.suppress(LockedError):
             if path.with_name(name) in files:

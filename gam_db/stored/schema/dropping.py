@@ -43,11 +43,13 @@ def removals(session: Session, tables: StateTables, monitor: str | None = None) 
         StateError: there is no state, no such monitor, or a newer gam-db made the state.
     """
     there = session.relations(tables.schema)
-    made = _made(session, tables, there)
+    state_names = _state_names(session, tables, there)
     names_before, of_before = former(session, tables, there)
     if of_before:
-        tables, made = names_before, {row.name for row in of_before}
-    present = [name for name in (*TABLES, *VIEWS) if name in made and tables.folded(name) in there]
+        tables, state_names = names_before, {row.name for row in of_before}
+    present = [
+        name for name in (*TABLES, *VIEWS) if name in state_names and tables.folded(name) in there
+    ]
     if not present:
         raise StateError(f"There are no state tables {tables}* in this database.")
     if monitor is not None:
@@ -65,14 +67,14 @@ def removals(session: Session, tables: StateTables, monitor: str | None = None) 
     return tuple(_dropped(session, tables, name) for name in reversed(present))
 
 
-def remove(session: Session, found: Sequence[Removal]) -> None:
+def remove(session: Session, pending: Sequence[Removal]) -> None:
     """Remove what :func:`removals` found, all of it or nothing where the engine has transactions.
 
     Raises:
         EngineError: the database cannot be written.
     """
     with session.transaction():
-        for removal in found:
+        for removal in pending:
             if isinstance(removal.statement, exp.Drop):
                 session.execute(removal.statement)
             else:
@@ -80,7 +82,7 @@ def remove(session: Session, found: Sequence[Removal]) -> None:
                 session.delete(removal.table, keys, removal.statement)
 
 
-def _made(session: Session, tables: StateTables, there: Relations) -> set[str]:
+def _state_names(session: Session, tables: StateTables, there: Relations) -> set[str]:
     """Return the names of the tables and views that are certainly of this state.
 
     The record lists files. A name counts if its file is listed, or if it has the columns that it has
@@ -132,12 +134,12 @@ def _conditions(tables: StateTables, monitor_id: int) -> dict[str, exp.Expr]:
 
 def _monitor_id(session: Session, tables: StateTables, monitor: str) -> int:
     query = exp.select("monitor_id", "name").from_(tables.table("monitor"))
-    known = {row["name"]: row["monitor_id"] for row in session.rows(query)}
-    if monitor not in known:
+    ids = {row["name"]: row["monitor_id"] for row in session.rows(query)}
+    if monitor not in ids:
         raise StateError(
-            f"There is no monitor {monitor!r} in the state tables {tables}*{nearest(monitor, known)}"
+            f"There is no monitor {monitor!r} in the state tables {tables}*{nearest(monitor, ids)}"
         )
-    return int(known[monitor])
+    return int(ids[monitor])
 
 
 def _count(session: Session, table: exp.Table, owned: exp.Expr | None = None) -> int:

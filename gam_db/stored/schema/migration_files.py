@@ -51,7 +51,7 @@ class Migration:
     @cached_property
     def definitions(self) -> dict[str, Definition]:
         """The tables and views that it makes, by name without prefix, in order."""
-        made: dict[str, Definition] = {}
+        by_name: dict[str, Definition] = {}
         for statement in parsed(self.content):
             if isinstance(statement, exp.Create):
                 create = statement
@@ -60,25 +60,33 @@ class Migration:
                 columns[statement.this.name] = statement.expression
             else:
                 name = statement.this.name.removeprefix("stored_")
-                made[name] = Definition(create, statement.expression, columns)
-        return made
+                by_name[name] = Definition(create, statement.expression, columns)
+        return by_name
 
     def statements(self, engine: Engine, tables: StateTables) -> list[exp.Expr]:
         """Return the statements for an engine, with the tables in their place."""
-        made = self.definitions.items()
-        return [one for name, about in made for one in placed(about, name, engine, tables)]
+        pairs = self.definitions.items()
+        return [
+            statement
+            for name, about in pairs
+            for statement in create_statements(about, name, engine, tables)
+        ]
 
 
-def placed(about: Definition, name: str, engine: Engine, tables: StateTables) -> list[exp.Expr]:
+def create_statements(
+    about: Definition, name: str, engine: Engine, tables: StateTables
+) -> list[exp.Expr]:
     """Return the statements that make a table or view, for an engine, with the tables in their place."""
     create = about.create.copy()
     target = create.this.this if isinstance(create.this, exp.Schema) else create.this
     target.replace(tables.table(name))
     if create.expression is not None:
-        place(create.expression, tables.placed())
+        place(create.expression, tables.nodes())
         for instant in list(create.find_all(exp.UnixToTime)):
-            found = engine.instant_of(TimeKind.TIMESTAMP, instant.this.copy())
-            instant.replace(exp.paren(found) if isinstance(instant.parent, exp.Binary) else found)
+            converted = engine.instant_of(TimeKind.TIMESTAMP, instant.this.copy())
+            instant.replace(
+                exp.paren(converted) if isinstance(instant.parent, exp.Binary) else converted
+            )
         for clock in list(create.find_all(exp.CurrentTimestamp)):
             assert clock.parent is not None  # as microseconds
             clock.parent.replace(engine.clock())
@@ -98,23 +106,23 @@ def record(migration: Migration, tables: StateTables, applied_at: int) -> exp.Ex
             "gam_version": template.text(__version__),
         },
     )
-    place(row, tables.placed())
+    place(row, tables.nodes())
     return insertion(tables.table("migration"), row)
 
 
 @cache
 def definitions() -> dict[str, Definition]:
     """Return what all migrations make together, by name: tables, then views after what they read."""
-    made = {name: about for migration in files() for name, about in migration.definitions.items()}
-    return {name: made[name] for name in (*TABLES, *VIEWS)}
+    by_name = {name: about for migration in files() for name, about in migration.definitions.items()}
+    return {name: by_name[name] for name in (*TABLES, *VIEWS)}
 
 
 @cache
 def columns_of(table: str) -> pa.Schema:
     """Return the columns of a state table, as Arrow has them."""
     kinds = {"BIGINT": COUNT, "DOUBLE": SHARE, "TEXT": WORD}
-    made = definitions()[table].create.this.expressions
-    return pa.schema([(column.name, kinds[column.kind.sql()]) for column in made])
+    column_nodes = definitions()[table].create.this.expressions
+    return pa.schema([(column.name, kinds[column.kind.sql()]) for column in column_nodes])
 
 
 @cache
@@ -127,17 +135,17 @@ def files() -> tuple[Migration, ...]:
 
 def read(folder: Path) -> tuple[Migration, ...]:
     """Read the migrations of a folder, in order; what they must be like is tested."""
-    found = []
+    migrations = []
     for path in sorted(folder.glob("*.sql")):
         number, _, name = path.stem.partition("_")
-        found.append(Migration(int(number), name, path.read_bytes()))
-    return tuple(found)
+        migrations.append(Migration(int(number), name, path.read_bytes()))
+    return tuple(migrations)
 
 
 def parsed(content: bytes) -> list[exp.Expr]:
     """Return the statements of a file, without the comments in its text."""
-    found = sqlglot.parse(content.decode(), dialect="duckdb")
-    statements = [statement for statement in found if statement is not None]
+    trees = sqlglot.parse(content.decode(), dialect="duckdb")
+    statements = [statement for statement in trees if statement is not None]
     for statement in statements:
         for node in statement.walk():
             node.comments = None

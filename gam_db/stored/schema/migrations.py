@@ -18,7 +18,7 @@ from gam_db.engines.base import Engine
 from gam_db.engines.session import CONFLICT, Session
 from gam_db.errors import ConflictError, EngineError, StateError
 from gam_db.stored.schema import roles
-from gam_db.stored.schema.migration_files import RECORD, Migration, files, placed, record
+from gam_db.stored.schema.migration_files import RECORD, Migration, create_statements, files, record
 from gam_db.stored.schema.roles import Roles
 from gam_db.stored.schema.tables import TABLES, VIEWS, StateTables
 from gam_db.study.running import Listener, unheard
@@ -57,14 +57,14 @@ def recorded(session: Session, tables: StateTables, there: Relations) -> tuple[A
     """
     if tables.folded("migration") not in there:
         return ()
-    _check_own(tables, "migration", there, RECORD)
+    _check_columns(tables, "migration", there, RECORD)
     query = exp.select(*RECORD).from_(tables.table("migration")).order_by("number")
     rows = tuple(Applied(**row) for row in session.rows(query))
-    known = len(files())
-    if rows and rows[-1].number > known and all(_is_known(row) for row in rows if row.number <= known):
+    newest = len(files())
+    if rows and rows[-1].number > newest and all(_is_file(row) for row in rows if row.number <= newest):
         raise StateError(
             f"The state tables {tables}* were last migrated by gam-db {rows[-1].gam_version} (migration "
-            f"{rows[-1].number}); this is gam-db {__version__}, which knows {known}. Install "
+            f"{rows[-1].number}); this is gam-db {__version__}, which knows {newest}. Install "
             "that version or a newer one."
         )
     return rows
@@ -95,8 +95,8 @@ def status(session: Session, tables: StateTables, there: Relations | None = None
     there = session.relations(tables.schema) if there is None else there
     applied = recorded(session, tables, there) or former(session, tables, there)[1]
     _check_record(applied, tables)
-    made, pending = files()[: len(applied)], files()[len(applied) :]
-    for name in sorted(name for migration in made for name in migration.definitions):
+    applied_files, pending = files()[: len(applied)], files()[len(applied) :]
+    for name in sorted(name for migration in applied_files for name in migration.definitions):
         if tables.folded(name) not in there:
             raise StateError(
                 f"{tables.shown(name)} was made once and is no longer there; put it back from a copy of "
@@ -105,7 +105,7 @@ def status(session: Session, tables: StateTables, there: Relations | None = None
     for migration in pending:
         for name, about in migration.definitions.items():
             if tables.folded(name) in there:
-                _check_own(tables, name, there, tuple(about.columns))
+                _check_columns(tables, name, there, tuple(about.columns))
     return Status(applied, pending)
 
 
@@ -120,8 +120,8 @@ def migrate(session: Session, tables: StateTables, on_step: Listener = unheard) 
         EngineError: the database cannot be written, or another connection migrates it now.
     """
     pending = status(session, tables).pending
-    as_one = session.transactions and session.engine.undoes_definitions
-    for group in [pending] if as_one and pending else [(migration,) for migration in pending]:
+    is_atomic = session.transactions and session.engine.undoes_definitions
+    for group in [pending] if is_atomic and pending else [(migration,) for migration in pending]:
         with session.transaction():
             _apply(session, tables, group, on_step)
     return pending
@@ -139,7 +139,7 @@ def _apply(session: Session, tables: StateTables, group: Sequence[Migration], on
     for migration in group:
         for name, about in migration.definitions.items():
             on_step(name)
-            for statement in placed(about, name, session.engine, tables):
+            for statement in create_statements(about, name, session.engine, tables):
                 session.execute(statement)
         session.execute(record(migration, tables, now))
 
@@ -150,12 +150,12 @@ def require(session: Session, tables: StateTables) -> None:
     Raises:
         StateError: there are none, some are missing, or they are of a newer gam-db.
     """
-    found = status(session, tables)
-    if not found.applied:
+    current = status(session, tables)
+    if not current.applied:
         raise StateError(f"There are no state tables {tables}* in this database; run `gam migrate`.")
-    if found.pending:
+    if current.pending:
         raise StateError(
-            f"The state tables {tables}* are of an older gam-db: {len(found.pending)} migrations are "
+            f"The state tables {tables}* are of an older gam-db: {len(current.pending)} migrations are "
             "pending; run `gam migrate`."
         )
 
@@ -197,15 +197,15 @@ def _schema(engine: Engine, tables: StateTables) -> list[exp.Expr]:
     return [exp.Create(this=exp.Table(db=template.name(tables.schema)), kind="SCHEMA", exists=True)]
 
 
-def _is_known(row: Applied) -> bool:
+def _is_file(row: Applied) -> bool:
     """Tell whether what was applied is a file of this gam-db."""
-    known = {one.number: (one.name, one.checksum) for one in files()}
-    return known.get(row.number) == (row.name, row.checksum)
+    checksums = {file.number: (file.name, file.checksum) for file in files()}
+    return checksums.get(row.number) == (row.name, row.checksum)
 
 
 def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
     for place, row in enumerate(applied, start=1):
-        if not _is_known(row):
+        if not _is_file(row):
             raise _of_before(tables, row)
         if row.number != place:
             what = "it is there twice" if row.number < place else f"it lacks number {place}"
@@ -222,7 +222,7 @@ def _of_before(tables: StateTables, row: Applied) -> StateError:
     )
 
 
-def _check_own(tables: StateTables, name: str, there: Relations, columns: tuple[str, ...]) -> None:
+def _check_columns(tables: StateTables, name: str, there: Relations, columns: tuple[str, ...]) -> None:
     """Refuse a table or view that is called like one of ours and has other columns."""
     if there[tables.folded(name)] != columns:
         raise StateError(

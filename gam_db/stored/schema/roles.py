@@ -79,16 +79,16 @@ class Roles:
         Raises:
             ConfigurationError: it is no such text.
         """
-        said: dict[str, str] = {}
+        names: dict[str, str] = {}
         for part in text.split(","):
-            role, equals, name = (one.strip() for one in part.partition("="))
-            if role not in ROLES or role in said or not equals:
+            role, equals, name = (word.strip() for word in part.partition("="))
+            if role not in ROLES or role in names or not equals:
                 raise ConfigurationError(
                     f"grants is {text!r}; it is written as owner=NAME,writer=NAME,reader=NAME, each of "
                     "them once or not at all."
                 )
-            said[role] = name
-        return cls(**said)
+            names[role] = name
+        return cls(**names)
 
 
 def before(engine: Engine, tables: StateTables, roles: Roles) -> Iterator[exp.Expr]:

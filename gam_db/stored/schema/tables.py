@@ -112,14 +112,14 @@ class StateTables:
         """Return the name of a table or view in lower case, to look it up among others."""
         return self._called(name).casefold()
 
-    def placed(self) -> dict[str, exp.Table]:
+    def nodes(self) -> dict[str, exp.Table]:
         """Return what the SQL calls the tables (``stored_run``), each with the node that it means."""
-        return dict(_placed(self))
+        return dict(_nodes(self))
 
     def _called(self, name: str) -> str:
         return f"{self.prefix}{'' if name in FOR_READERS else self.apart}{name}"
 
 
 @lru_cache(maxsize=64)
-def _placed(tables: StateTables) -> Mapping[str, exp.Table]:
+def _nodes(tables: StateTables) -> Mapping[str, exp.Table]:
     return {f"stored_{name}": tables.table(name) for name in (*TABLES, *VIEWS)}

@@ -60,7 +60,7 @@ class Run:
         self.reader = Reader(state.session, source, kind_of(self.monitor), name)
         self.started = now()
         self.rows: list[Row] = []
-        self.running = Running(state.session, Pipeline(), state.tables.placed(), on_step)
+        self.running = Running(state.session, Pipeline(), state.tables.nodes(), on_step)
         work = state, self.reader, self.monitor, wanted, on_step
         self.scoring = Scoring(*work, self.started, is_thorough=wanted.everything)
         self.report = Report(clock=self.reader.clock)
@@ -77,8 +77,8 @@ class Run:
 
     def _go(self, dry_run: bool) -> Report:
         wanted, running = self.wanted, self.running
-        known = {name_of(row) for row in self._known()}
-        if known and not any(wanted.chosen(*channel) for channel in known):
+        channels = {name_of(row) for row in self._channel_rows()}
+        if channels and not any(wanted.chosen(*channel) for channel in channels):
             raise ParameterError(
                 f"No channel of the monitor {self.monitor['name']!r} matches the patterns of asset and "
                 "channel; * stands for any text, ? for one character."
@@ -95,17 +95,17 @@ class Run:
         for cohort in plan:
             names = self._look(cohort)
             if cohort.everyone:
-                self.report.note_unknown(names, known)
+                self.report.note_unknown(names, channels)
             counts = {name_of(row): row["readings"] for row in names}
             if not wanted.confirmed:
                 cohort = self._keeping(cohort, names)
             if members := len(cohort.channels):
-                found = rows_of(cohort.channels, counts)
-                ranged = {"earliest": cohort.earliest, "channels": members, "rows": found}
+                row_count = rows_of(cohort.channels, counts)
+                ranged = {"earliest": cohort.earliest, "channels": members, "rows": row_count}
                 self.report.ranges.append(ranged)
             if dry_run:
                 continue
-            self.scoring.tables = {name: running.placed[name] for name in _OF_RUN}
+            self.scoring.tables = {name: running.tables[name] for name in _OF_RUN}
             limit = wanted.limit or self.session.rows_at_once()
             for group in portions(cohort.channels, counts, limit, self.scoring.shape):
                 self.scoring.score(group, cohort, rows_of(group, counts))
@@ -127,15 +127,15 @@ class Run:
         steps = Pipeline()
         steps.add("readings", self.reader.validity(min(row["earliest"] for row in self.report.ranges)))
         add(steps, "source/validity")
-        found = self.session.rows(steps.query("validity"))
-        self.report.held = sum(row["readings"] for row in found)
-        self.report.invalid = sum(row["invalid"] for row in found)
+        rows = self.session.rows(steps.query("validity"))
+        self.report.held = sum(row["readings"] for row in rows)
+        self.report.invalid = sum(row["invalid"] for row in rows)
 
     def _plan(self) -> list[Row]:
         monitor_id = self.monitor["monitor_id"]
         # Before the plan: what changes between the two is noticed then.
         running = self.running
-        running.put("planned_runs", planned_runs().query("newest_runs", running.placed))
+        running.put("planned_runs", planned_runs().query("newest_runs", running.tables))
         lookback = None if self.wanted.full else self.wanted.lookback
         begin, until = self.wanted.repair_from, self.wanted.until
         rows = [] if lookback is None else plan_rows(running, monitor_id, lookback)
@@ -146,8 +146,8 @@ class Run:
             rows = searched_plan_rows(running, monitor_id, lookback, begin)
         self.scoring.planned = len(rows)
         allowed = {"lookback": self.wanted.lookback}
-        known = self.reader.with_programs(rows)
-        chosen = [{**row, **allowed} for row in known if self.wanted.chosen(*name_of(row))]
+        readable = self.reader.with_programs(rows)
+        chosen = [{**row, **allowed} for row in readable if self.wanted.chosen(*name_of(row))]
         later = [] if until is None else [row for row in chosen if row["read_from"] > until]
         if self.wanted.repair_from is not None or later:
             ends = last_times(self.state, monitor_id)
@@ -170,7 +170,9 @@ class Run:
             "everything": int(wanted.everything or wanted.is_anew),
             "long_ago": LONG_AGO,
         }
-        read = {row["version_id"]: row for row in self.running.asked("stored/scoring/cohorts", slots)}
+        read = {
+            row["version_id"]: row for row in self.running.query_rows("stored/scoring/cohorts", slots)
+        }
         return [row | read[row["version_id"]] for row in rows]
 
     def _check_begin(self, begin: int, newest: int | None) -> None:
@@ -201,7 +203,7 @@ class Run:
             "stay. Give a later end, or choose other channels by their names."
         )
 
-    def _known(self) -> list[Row]:
+    def _channel_rows(self) -> list[Row]:
         slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
         return self.state.rows("stored/state/known_channels", slots)
 
@@ -211,14 +213,14 @@ class Run:
         running = self.running
         running.steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
         is_first = cohort.channels and all(row["read_until"] == LONG_AGO for row in cohort.channels)
-        if "names" in running.placed:
+        if "names" in running.tables:
             running.drop("names")
         # All of a source is read, which may be stored channel by channel.
-        found = counted(running) if is_first and self.session.engine.bits else None
-        if found is None:
+        names = counted(running) if is_first and self.session.engine.bits else None
+        if names is None:
             running.keep("names")
         else:
-            running.load("names", found)
+            running.load("names", names)
         rows = running.rows("names")
         if not rows and self.reader.is_empty():
             raise SourceError(look.NO_ROW)

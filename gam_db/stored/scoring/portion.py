@@ -68,9 +68,9 @@ class Scoring:
         # Of what lies within the lookback hardly anything has changed; only that is written anew.
         compared = not self.wanted.is_anew and any(row["restarts"] for row in group)
         shape = Shape(setting, self.reader.kind, self._bits(group, read), compared, due)
-        placed = {**self.state.tables.placed(), **self.tables}
+        tables = {**self.state.tables.nodes(), **self.tables}
         plan = counting(shape)
-        with Running(self.state.session, plan.steps, placed, self.on_step) as running:
+        with Running(self.state.session, plan.steps, tables, self.on_step) as running:
             # A part of a cohort is found by name, or each part would read the rows of all.
             assets = cohort.assets if len(group) == len(cohort.channels) else assets_of(group)
             queries = self._queries(running, group, shape, assets)
@@ -100,7 +100,7 @@ class Scoring:
         """Keep the cohort, and return the queries that differ from run to run."""
         buckets, condition = max(map(buckets_of, group)), near(group)
         running.put("cohort", self._cohort(group, shape.recounted))
-        verify(self.state, running.placed["cohort"], group)
+        verify(self.state, running.tables["cohort"], group)
         since = min(row["read_from"] for row in group)
         queries: dict[str, exp.Query] = {}
         if shape.recounted:  # of other readings than those that are scored
@@ -138,7 +138,7 @@ class Scoring:
         if edges["earliest"] is None:
             return filled("stored/scoring/no_recount")
         healthy = self.reader.readings(assets, edges["earliest"], edges["latest"])
-        return reading_steps(healthy, is_ranged=False).query("recount", running.placed)
+        return reading_steps(healthy, is_ranged=False).query("recount", running.tables)
 
     def _is_due(self, row: Row) -> bool:
         """Tell whether the rows of a channel's calibration are to be counted anew.
@@ -162,11 +162,11 @@ class Scoring:
         after = min(row["first_scored"] for row in group) - 1
         for table in hidden_tables(shared_by(group).has_programs):
             queries[f"hidden_{table}"] = state.hidden(table, run_id, after, near(group))
-        given = {name: running.placed.get(step, running.placed[name]) for name, step in _JUDGED.items()}
+        tables = {name: running.tables.get(step, running.tables[name]) for name, step in _JUDGED.items()}
         with state.session.transaction():
             state.lock(self.monitor["monitor_id"])
             running.execute(rows, queries, state.tables.table)
-            judged = judge(state, group, given | {"stamp": running.placed["stamp"]})
+            judged = judge(state, group, tables | {"stamp": running.tables["stamp"]})
             judged = with_pending(state, group, judged, min(row["planned_from"] for row in scored))
             running.execute(commit, queries, state.tables.table)
             if transactions:

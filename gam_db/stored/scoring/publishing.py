@@ -62,7 +62,7 @@ def look_again(running: Running, state: State, group: list[Row], run_id: int) ->
     """
     versions = listed(exp.column("version_id", table="run"), (row["version_id"] for row in group))
     slots: dict[str, template.Slot] = {"run_id": run_id, "near": versions, "among": _channels(group)}
-    query = state.query("stored/scoring/rivals", slots, {"cohort": running.placed["cohort"]})
+    query = state.query("stored/scoring/rivals", slots, {"cohort": running.tables["cohort"]})
     deadline = time.monotonic() + _PATIENCE
     while rows := state.session.rows(query):
         if min(row["rival"] for row in rows) < run_id or time.monotonic() >= deadline:

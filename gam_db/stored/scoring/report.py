@@ -80,20 +80,20 @@ class Report:
     invalid: int = 0
     ranges: list[Row] = field(default_factory=list)
 
-    def note_unknown(self, names: Sequence[Row], known: Container[tuple[str, str]]) -> None:
+    def note_unknown(self, names: Sequence[Row], channels: Container[tuple[str, str]]) -> None:
         """Note the readings of names that are missing, or of no known channel."""
         for row in names:
             if row["asset"] is None or row["channel"] is None:
                 self.nameless += row["readings"] + row["without_time"]
-            elif name_of(row) not in known and row["readings"]:
+            elif name_of(row) not in channels and row["readings"]:
                 self.unknown_channels[name_of(row)] = {
                     name: row[name] for name in ("readings", "latest")
                 }
 
-    def note_undated(self, found: Undated) -> None:
+    def note_undated(self, undated: Undated) -> None:
         """Note the rows that tell no time."""
-        self.undated, self.skipped = found.count, found.skipped
-        self.first_skipped, self.last_skipped = found.first_skipped, found.last_skipped
+        self.undated, self.skipped = undated.count, undated.skipped
+        self.first_skipped, self.last_skipped = undated.first_skipped, undated.last_skipped
 
     def keep_unplaced(self, state: State, monitor: Row, started: int) -> None:
         """Append what a run gave to no channel or instant, and of which channels it left rows out."""

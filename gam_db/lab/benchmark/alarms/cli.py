@@ -10,7 +10,7 @@ from gam_db.lab.benchmark.alarms import programs as of_programs
 from gam_db.lab.benchmark.alarms.measure import measure
 from gam_db.lab.benchmark.alarms.plan import ROBOTS, Plan
 from gam_db.lab.benchmark.alarms.report import lines
-from gam_db.lab.benchmark.cli import counts, shown, told
+from gam_db.lab.benchmark.cli import counts, print_figures, shown
 from gam_db.lab.simulate.fleet import SAMPLES
 
 
@@ -34,7 +34,7 @@ def alarms(
         raise ConfigurationError("--quick runs all paths; give it without --all.")
     seeds = tuple(range(seed, seed + fleets))
     plan = Plan.quick(seeds[:1]) if quick else Plan(seeds, everything)
-    told(shown(plan.runs, lambda on_run: measure(plan, on_run)), lines, as_json)
+    print_figures(shown(plan.runs, lambda on_run: measure(plan, on_run)), lines, as_json)
 
 
 def programs(
@@ -53,7 +53,7 @@ def programs(
     wear.
     """
     plan = Plan(tuple(counts("seeds", seeds)), robots=robots, samples=samples)
-    told(
+    print_figures(
         shown(len(plan.seeds), lambda on_run: of_programs.measure(plan, products, shift, on_run)),
         of_programs.lines,
         as_json,

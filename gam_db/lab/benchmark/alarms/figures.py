@@ -24,17 +24,19 @@ def promise(judged: Judged, calm: set[Name]) -> Row:
     """
     rows = [row for row in judged.limits if name_of(row) in calm]
     stated = {name_of(row) for row in rows if row["stated_rate"] is not None}
-    found = [row for row in judged.counted if name_of(row) in calm]
-    rated, rest = ([row for row in found if (name_of(row) in stated) == has] for has in (True, False))
-    told: Row = {"asked": judged.asked, "stated": None}
+    calm_rows = [row for row in judged.counted if name_of(row) in calm]
+    rated, rest = (
+        [row for row in calm_rows if (name_of(row) in stated) == has] for has in (True, False)
+    )
+    promised: Row = {"asked": judged.rate, "stated": None}
     if rated:
-        told = figures(judged.asked, rows, rated)
-    told.pop("by_channel", None)
-    lowest = max(told.get("lower", 0.0), told.get("resampled_lower", 0.0))
+        promised = figures(judged.rate, rows, rated)
+    promised.pop("by_channel", None)
+    lowest = max(promised.get("lower", 0.0), promised.get("resampled_lower", 0.0))
     heights = Counter(row["quarters"] for row in rows if row["quarters"] is not None)
     return {
-        **told,
-        "kept": lowest <= told["stated"] if rated else None,
+        **promised,
+        "kept": lowest <= promised["stated"] if rated else None,
         "calm": len(rows),
         "unstated": counted(rest),
         "withheld": dict(Counter(row["reason"] for row in rows if row["reason"] is not None)),
@@ -66,7 +68,7 @@ def wear(
         if name_of(row) in opened:
             opened[name_of(row)].append(ends[name_of(row), row["first_judgement"]])
     reasons = {name_of(row): row["reason"] or row["basis"] for row in judged.limits}
-    return {"asked": judged.asked, **shares(opened, wearing, reasons)}
+    return {"asked": judged.rate, **shares(opened, wearing, reasons)}
 
 
 def shares(
@@ -91,14 +93,14 @@ def shares(
         kinds.setdefault(truth["event"], []).append(name)
     unseen = Counter((reasons or {}).get(name, "judged") for name in wearing if name not in used)
     return {
-        **_told(list(wearing), used),
+        **_summary(list(wearing), used),
         "early": sum(share < EARLY for share in used.values()),
-        "by_kind": {kind: _told(names, used) for kind, names in sorted(kinds.items())},
+        "by_kind": {kind: _summary(names, used) for kind, names in sorted(kinds.items())},
         "unseen": dict(unseen),
     }
 
 
-def _told(names: Sequence[Name], used: Mapping[Name, float]) -> Row:
-    found = [used[name] for name in names if name in used]
-    median = statistics.median(found) if found else None
-    return {"joints": len(names), "seen": len(found), "median": median}
+def _summary(names: Sequence[Name], used: Mapping[Name, float]) -> Row:
+    seen = [used[name] for name in names if name in used]
+    median = statistics.median(seen) if seen else None
+    return {"joints": len(names), "seen": len(seen), "median": median}

@@ -24,13 +24,13 @@ class Fleets:
         learnt: the product's tables of each.
         wearing: what becomes of each joint that wears: fault, onset, failed_at.
         calm: the channels that nothing happens to.
-        found: what else was made of each file.
+        outputs: what else was made of each file.
     """
 
     learnt: list[Learnt] = field(default_factory=list)
     wearing: dict[Name, dict[str, Any]] = field(default_factory=dict)
     calm: set[Name] = field(default_factory=set)
-    found: list[Any] = field(default_factory=list)
+    outputs: list[Any] = field(default_factory=list)
 
 
 #: Makes something of a fleet's file; told the channels that were read so far.
@@ -66,7 +66,7 @@ def read(
             source = Source(path, "asset", "channel", "time", "value")
             result.learnt.append(learnt(source, plan.parameters, calibration, more))
             if on_file is not None:
-                result.found.append(on_file(fleet, source, result))
+                result.outputs.append(on_file(fleet, source, result))
     return result
 
 

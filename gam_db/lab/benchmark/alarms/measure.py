@@ -33,7 +33,7 @@ def measure(plan: Plan, show: Listener) -> dict[str, Any]:
     """
     if plan.everything:
         needed("sklearn", "benchmark")
-    told: dict[str, Any] = {
+    figures: dict[str, Any] = {
         "quick": plan.is_quick,
         "seeds": list(plan.seeds),
         "samples": plan.samples,
@@ -49,22 +49,22 @@ def measure(plan: Plan, show: Listener) -> dict[str, Any]:
         some = [*read.wearing, *(name for name in read.calm if name[1].endswith("_j1"))]
         return {rival: scored(plan, rival, source, some) for rival in RIVALS}
 
-    found = fleets.read(plan, map(plan.fleet, plan.seeds), CALIBRATION, show, on_file=on_file)
+    simulation = fleets.read(plan, map(plan.fleet, plan.seeds), CALIBRATION, show, on_file=on_file)
     with DuckSession() as session:
-        pool = Pool(session, found.learnt)
-        told |= _promised(plan, pool, found)
+        pool = Pool(session, simulation.learnt)
+        figures |= _promised(plan, pool, simulation)
     if plan.everything:
-        told["rivals"] = _rivals(plan, found)
-        told["drift"] = [_moved(plan, plan.window * windows, 0, show) for windows in DRIFTS]
-        told["shifts"] = _moved(plan, 0.0, plan.shift, show)
-    return told
+        figures["rivals"] = _rivals(plan, simulation)
+        figures["drift"] = [_moved(plan, plan.window * windows, 0, show) for windows in DRIFTS]
+        figures["shifts"] = _moved(plan, 0.0, plan.shift, show)
+    return figures
 
 
-def _asked(rate: float) -> str:
+def _rate_text(rate: float) -> str:
     return f"{rate:g} per 1000 judgements"
 
 
-def _promised(plan: Plan, pool: Pool, found: fleets.Fleets) -> dict[str, Any]:
+def _promised(plan: Plan, pool: Pool, simulation: fleets.Fleets) -> dict[str, Any]:
     windows = Windows(pool)
     forms: dict[str, Sequence[str]] = {
         "one family": ["*"],
@@ -74,29 +74,31 @@ def _promised(plan: Plan, pool: Pool, found: fleets.Fleets) -> dict[str, Any]:
     }
     promised, worn = [], []
     for form, families in forms.items():
-        rates: list[str | None] = [*map(_asked, RATES)]
+        rates: list[str | None] = [*map(_rate_text, RATES)]
         for rate in [*rates, None] if form == "one family" else rates:
             judged = pool.judged(Alarms(rate=rate, family=families))
-            promised.append({"form": form, **promise(judged, found.calm)})
-            worn.append({"form": form, **wear(judged, found.wearing, windows.ends)})
+            promised.append({"form": form, **promise(judged, simulation.calm)})
+            worn.append({"form": form, **wear(judged, simulation.wearing, windows.ends)})
     return {
         "promise": promised,
         "wear": worn,
-        "today": today(pool, windows, plan.window, found.calm, found.wearing),
-        "control": control(pool, windows, plan.window, found.calm, RATES[0] / 1000),
+        "today": today(pool, windows, plan.window, simulation.calm, simulation.wearing),
+        "control": control(pool, windows, plan.window, simulation.calm, RATES[0] / 1000),
     }
 
 
-def _rivals(plan: Plan, found: fleets.Fleets) -> list[Row]:
+def _rivals(plan: Plan, simulation: fleets.Fleets) -> list[Row]:
     """Return what estimators see on the fleets that they were asked of, at equal false alarms."""
     with DuckSession() as session:
-        pool = Pool(session, found.learnt[: len(plan.rivalled)])
+        pool = Pool(session, simulation.learnt[: len(plan.rivalled)])
         windows = Windows(pool)
-        tables = {name: [one[name] for one in found.found if one] for name in RIVALS}
-        scored_too = {name_of(row) for one in tables[RIVALS[0]] for row in one.to_pylist()}
-        calm = found.calm & scored_too
-        wearing = {name: found.wearing[name] for name in found.wearing.keys() & windows.ids.keys()}
-        judged = pool.judged(Alarms(rate=_asked(RATES[0]), family=["*"]))
+        tables = {name: [scores[name] for scores in simulation.outputs if scores] for name in RIVALS}
+        scored_too = {name_of(row) for table in tables[RIVALS[0]] for row in table.to_pylist()}
+        calm = simulation.calm & scored_too
+        wearing = {
+            name: simulation.wearing[name] for name in simulation.wearing.keys() & windows.ids.keys()
+        }
+        judged = pool.judged(Alarms(rate=_rate_text(RATES[0]), family=["*"]))
         its = counted([row for row in judged.counted if name_of(row) in calm])
         rows: list[Row] = [
             {
@@ -107,15 +109,17 @@ def _rivals(plan: Plan, found: fleets.Fleets) -> list[Row]:
             }
         ]
         for name in RIVALS:
-            told = judged_scores(pool, windows, tables[name], calm, wearing, its["episodes"])
-            rows.append({"estimator": name, **told})
+            rival_row = judged_scores(pool, windows, tables[name], calm, wearing, its["episodes"])
+            rows.append({"estimator": name, **rival_row})
         return rows
 
 
 def _moved(plan: Plan, wander: float, shift: int, show: Listener) -> Row:
     """Return promise of calm fleets that drift or change products, calibration included."""
     moved = (Fleet(seed, plan.samples, wander, shift) for seed in plan.extra)
-    found = fleets.read(plan, moved, LONG_CALIBRATION, show, wearing=False)
+    simulation = fleets.read(plan, moved, LONG_CALIBRATION, show, wearing=False)
     with DuckSession() as session:
-        judged: Judged = Pool(session, found.learnt).judged(Alarms(rate=_asked(RATES[0]), family=["*"]))
-    return {"windows": wander / plan.window, **promise(judged, found.calm)}
+        judged: Judged = Pool(session, simulation.learnt).judged(
+            Alarms(rate=_rate_text(RATES[0]), family=["*"])
+        )
+    return {"windows": wander / plan.window, **promise(judged, simulation.calm)}

@@ -44,10 +44,10 @@ def measure(plan: Plan, products: int, shift: int, show: Callable[[str], None]) 
         return learnt(named, plan.parameters, CALIBRATION, (_BUCKETS, _SUMMARY))
 
     line = fleets.read(plan, simulated, CALIBRATION, show, on_file=on_file, more=(_BUCKETS,))
-    arms = dict(zip(_ARMS, (line.learnt, line.found), strict=True))
+    arms = dict(zip(_ARMS, (line.learnt, line.outputs), strict=True))
     figures: dict[str, Any] = {name: _judged(plan, tables, line) for name, tables in arms.items()}
     verdicts = Counter(
-        verdict for fleet in line.found for verdict in fleet.tables[_SUMMARY]["verdict"].to_pylist()
+        verdict for fleet in line.outputs for verdict in fleet.tables[_SUMMARY]["verdict"].to_pylist()
     )
     return {
         "seeds": list(plan.seeds),

@@ -29,11 +29,11 @@ def lines(figures: Row) -> Iterator[str]:
     yield ""
     yield "Promise: stated, and seen on calm channels"
     for row in figures["promise"]:
-        yield f"  {_asked(row)}{_promised(row)}{_kept(row, figures['quick'])}"
+        yield f"  {_form_and_rate(row)}{_promised(row)}{_verdict(row, figures['quick'])}"
     yield ""
     yield "Wear: joints seen, and the median share of worn life that they had used"
     for row in figures["wear"]:
-        yield f"  {_asked(row)}{of_wear(row)}"
+        yield f"  {_form_and_rate(row)}{of_wear(row)}"
     today = figures["today"]
     yield f"  {'today, twice the floor':33}{of_wear(today['wear'])}; seen {of_rate(today['rate'])}"
     yield ""
@@ -85,11 +85,11 @@ def _promised(row: Row) -> str:
     )
 
 
-def _asked(row: Row) -> str:
+def _form_and_rate(row: Row) -> str:
     return f"{row['form']:20}{row['asked'].replace(' per 1000 judgements', ''):13}"
 
 
-def _kept(row: Row, is_quick: bool) -> str:
+def _verdict(row: Row, is_quick: bool) -> str:
     """Return whether what is stated is kept; of rates that are an estimate nothing is promised."""
     if is_quick or row["kept"] is None:
         return ""
@@ -108,9 +108,9 @@ def _apart(row: Row) -> str:
 def _withheld(row: Row) -> str:
     if not row["withheld"]:
         return f"none of {row['calm']:,}"
-    said = ", ".join(f"{reason} {count:,}" for reason, count in sorted(row["withheld"].items()))
+    reasons = ", ".join(f"{reason} {count:,}" for reason, count in sorted(row["withheld"].items()))
     share = sum(row["withheld"].values()) / row["calm"]
-    return f"{said} of {row['calm']:,} ({share:.1%})"
+    return f"{reasons} of {row['calm']:,} ({share:.1%})"
 
 
 def of_wear(row: Row) -> str:
@@ -138,5 +138,5 @@ def _teeth(control: Row) -> str:
 
 def _moved(row: Row) -> str:
     ratio = row.get("order_ratio")
-    said = "" if ratio is None else f"mean order ratio {ratio / 1000:.2f}; "
-    return f"{said}{_promised(row)}; no limit: {_withheld(row)}"
+    ratio_text = "" if ratio is None else f"mean order ratio {ratio / 1000:.2f}; "
+    return f"{ratio_text}{_promised(row)}; no limit: {_withheld(row)}"

@@ -57,7 +57,7 @@ class Windows:
 def today(pool: Pool, windows: Windows, window: int, calm: set[Name], wearing: Wearing) -> Row:
     """Return what the limit of the health indicator does: a window is above it, or is not."""
     limits = {row["channel_id"]: row["hi_limit"] for row in pool.tables["limited"].to_pylist()}
-    judged = {one: novel for one, novel in windows.novel.items() if limits[one] is not None}
+    judged = {channel: novel for channel, novel in windows.novel.items() if limits[channel] is not None}
     merged = pool.merged(
         [
             (channel, number)
@@ -71,7 +71,7 @@ def today(pool: Pool, windows: Windows, window: int, calm: set[Name], wearing: W
         name = windows.names[row["channel_id"]]
         opened.setdefault(name, []).append(windows.ends[name, row["first_judgement"]])
     episodes = sum(len(times) for name, times in opened.items() if name in calm)
-    judgements = sum(len(novel) for one, novel in judged.items() if windows.names[one] in calm)
+    judgements = sum(len(novel) for channel, novel in judged.items() if windows.names[channel] in calm)
     return {"rate": rate_of(episodes, judgements), "wear": shares(opened, wearing)}
 
 
@@ -190,7 +190,7 @@ def judged_scores(
     false = dict.fromkeys(_HEIGHTS, 0)
     for row in opened:
         false[row["limit_no"]] += windows.names[row["channel_id"]] in calm
-    height = next((one for one in _HEIGHTS if false[one] <= episodes), _HEIGHTS[-1])
+    height = next((quarters for quarters in _HEIGHTS if false[quarters] <= episodes), _HEIGHTS[-1])
     seen: dict[Name, list[int]] = {}
     for row in opened:
         if row["limit_no"] == height:

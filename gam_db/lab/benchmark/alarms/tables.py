@@ -59,13 +59,13 @@ class Judged:
     """What the product says at one asked rate.
 
     Attributes:
-        asked: the rate, in words.
+        rate: the rate, in words.
         limits: as :func:`gam_db.alarms.limits_of` returns them.
         counted: judgements and episodes of each channel with a limit (the step *backtested*).
         episodes: as :func:`gam_db.episodes` returns them, instants as integers.
     """
 
-    asked: str
+    rate: str
     limits: list[Row]
     counted: list[Row]
     episodes: list[Row]
@@ -81,18 +81,18 @@ class Pool:
 
     def __init__(self, session: DuckSession, fleets: Sequence[Learnt]) -> None:
         self._session, self._kind = session, fleets[0].kind
-        self._given = Running(session, Pipeline())
+        self._loaded = Running(session, Pipeline())
         self.tables = {}
         for name in _TABLES:
             parts = [_numbered(fleet.tables[name], k) for k, fleet in enumerate(fleets)]
             self.tables[name] = pa.concat_tables(parts)
-            self._given.load(name, self.tables[name])
+            self._loaded.load(name, self.tables[name])
 
     def judged(self, alarms: Alarms) -> Judged:
         """Return what the product says at a rate, with the families that are asked for."""
         steps = Pipeline()
         add_spreads(steps, alarms.family)
-        with Running(self._session, steps, self._given.placed) as work:
+        with Running(self._session, steps, self._loaded.tables) as work:
             rows = chosen_limits(work, alarms, self._kind)
             frozen = [row for row in rows if row["reason"] is None]
             work.load("frozen_limits", pa.Table.from_pylist(frozen, schema=FROZEN))
@@ -100,7 +100,9 @@ class Pool:
             add_backtested(steps, ())
             counted, episodes = (work.rows(name) for name in ("backtested", "episodes"))
             unknown: Row = dict.fromkeys(("basis", "quarters", "stated_rate"))  # where there is no limit
-            return Judged(alarms.asked(self._kind), [unknown | row for row in rows], counted, episodes)
+            return Judged(
+                alarms.rate_for(self._kind), [unknown | row for row in rows], counted, episodes
+            )
 
     def replayed(self, roots: pa.Table, quarters: Sequence[int]) -> pa.Table:
         """Return what any series opens under the product's evidence, at several heights.

@@ -1,4 +1,4 @@
-"""One run in a process of its own: ``python -m gam_db.lab.benchmark.one_run JOB``, JOB being JSON.
+"""One run in a process of its own: ``python -m gam_db.lab.benchmark.program_run JOB``, JOB being JSON.
 
 The clock runs from before the database is opened until it is closed again; imports are not in it.
 """
@@ -52,22 +52,22 @@ def done(job: Job) -> dict[str, Any]:
 def _done(job: Job) -> dict[str, Any]:
     source = Path(job.folder) / f"by_{job.order}.duckdb"
     result = job.result(job.task)
-    found: dict[str, Any] = {}
+    figures: dict[str, Any] = {}
     if job.task == "gam":
-        found["steps"] = inside.run(source, result, job.threads)
+        figures["steps"] = inside.run(source, result, job.threads)
     elif job.task == "extract":
         extract.run(source, result, job.threads)
     elif job.task in PROGRAMS:
         floor.run(source, job.threads, job.task)
     elif job.task == "explain":
-        found["operators"] = inside.explain(source, result, job.threads)
+        figures["operators"] = inside.explain(source, result, job.threads)
     elif job.task == "store":
         workload.store(source, job.order, job.channels, job.samples)
     elif job.task == "compare":
-        found |= equal.compare(job.result("gam"), job.result("extract"))
+        figures |= equal.compare(job.result("gam"), job.result("extract"))
     else:
         raise InternalError(f"The benchmark knows no task {job.task!r}.")
-    return found
+    return figures
 
 
 if __name__ == "__main__":
