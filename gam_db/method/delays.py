@@ -107,7 +107,7 @@ def add_delays(one: OfSet, prefix: str, ways: Ways, rows: str, has_bits: bool) -
     readings of the vectors, for windows. Where supports are kept as bits, keys are small.
     """
     # Of a channel without a missing sample every coordinate is there.
-    known: dict[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}
+    known: dict[str, template.Slot] = {"is_present": exp.true()} if prefix == COMPLETE else {}
     marked = ways.is_cut and prefix == CALIBRATION
     body = ways.delays
     if body is not None and not marked:

@@ -106,7 +106,9 @@ def keyed(one: OfSet) -> dict[str, template.Slot]:
     radix = exp.column("radix") if "radix" in one.method.columns else None
     term = template.fill("program/program_term", {"weight": weight_at(setting, setting.m, radix)})
     return {
-        "known": exp.and_(known(setting), template.fill("program/fits", {"most": most_of(setting)})),
+        "is_present": exp.and_(
+            known(setting), template.fill("program/fits", {"most": most_of(setting)})
+        ),
         "cell_key": template.added([cell_key(setting, radix=radix), term]),
     }
 

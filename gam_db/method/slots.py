@@ -71,7 +71,7 @@ def outside(setting: Parameters, above: exp.Expr | None = None) -> exp.Expr:
 
 def known(setting: Parameters) -> exp.Expr:
     """Return the condition that every coordinate is there."""
-    return exp.and_(*(template.fill("embedding/known", {"code": one}) for one in coordinates(setting)))
+    return exp.and_(*(template.fill("embedding/present", {"code": one}) for one in coordinates(setting)))
 
 
 def cell_key(
@@ -127,7 +127,7 @@ _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "long_ago": lambda _: LONG_AGO,
     "code": code_of,
     "coordinates": coordinates,
-    "known": known,
+    "is_present": known,
     "cell_key": cell_key,
     "block_no": block_no,
     "outside": outside,

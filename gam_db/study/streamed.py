@@ -142,7 +142,7 @@ def scored(
     """
     grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
     placed = _placed(own, setting, bits, stream, list(ends or ()))
-    return _over(filled("health/visited", grouped), "placed", placed)
+    return _over(filled("health/visited", grouped), "scored_vectors", placed)
 
 
 def one_by_one(own: Own, setting: Parameters, bits: Bits, stream: Stream) -> exp.Query:
@@ -154,7 +154,7 @@ def one_by_one(own: Own, setting: Parameters, bits: Bits, stream: Stream) -> exp
     running = of_channel("running", own, outside=is_outside(setting), span=setting.span)
     before = novel_before(setting, "streams/delayed")
     counts = filled("health/window_counts", {"window": setting.window, "novel_before": before})
-    return _over(counts, "numbered", _over(running, "placed", placed))
+    return _over(counts, "numbered", _over(running, "scored_vectors", placed))
 
 
 def still_since(own: Own, setting: Parameters, stream: Stream) -> exp.Query:
@@ -181,7 +181,7 @@ def _placed(
         first = template.fill("streams/scored", {"first_scored": own["first_scored"]})
         slots["counted"] = exp.and_(template.fill("streams/counts"), first)
     vectors = _vectors(own, setting, "context_time" in carried, stream)
-    return _over(of_channel("placed", own, **slots), "streamed", vectors)
+    return _over(of_channel("scored_vectors", own, **slots), "streamed", vectors)
 
 
 def _vectors(
