@@ -17,9 +17,9 @@ def add_missing_vectors(one: OfSet, samples: str) -> None:
     told = compared(one.setting)
     may_lack = exp.true() if told else exp.column("missing_readings", table="named") > 0
     slots: dict[str, template.Slot] = {"read": may_lack, "carried": told}
-    one.add("certificate/known_codes", slots, tables={"samples": samples})
-    add_vectors(one, "known_", has_keys=False)
-    one.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
+    one.add("certificate/present_codes", slots, tables={"samples": samples})
+    add_vectors(one, "present_", has_keys=False)
+    one.add("certificate/missing_vectors", tables={"vectors": "present_vectors"})
 
 
 def coarse_key(setting: Parameters, has_programs: bool = False) -> exp.Expr:
