@@ -94,7 +94,7 @@ def add_dimensions(steps: Pipeline, search: Search, usable: int, waiting: Waitin
                 "distance": exp.column(metric, table="pair"),
                 "neighbour": exp.column(f"{metric}_place", table="pair"),
             }
-            tables = {"found": found, "probes": f"probes_{d}"}
+            tables = {"neighbours": found, "probes": f"probes_{d}"}
             add(steps, "selection/followed", slots, followed, tables)
             steps.small |= {followed}
             if metric == "square":
@@ -208,7 +208,7 @@ def _add_round(
 
     def measure(name: str, asked: str, settled: int) -> None:
         said = {**slots, "settled": settled}
-        add(steps, "selection/measured", said, name, {**given, "asked": asked})
+        add(steps, "selection/measured", said, name, {**given, "sought": asked})
 
     measure(f"measured_{size}", sought, settled=0)
     tables = {"unsettled": sought, "measured": f"measured_{size}"}
