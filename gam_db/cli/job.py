@@ -184,5 +184,5 @@ def watched(
 
 def channels_of(state: State, known: Row) -> list[str]:
     """Return the names of a monitor's channels, as often as there are assets with such."""
-    channels = state.fetch("stored/state/known_channels", {"monitor_id": known["monitor_id"]})
+    channels = state.fetch("stored/state/monitor_channels", {"monitor_id": known["monitor_id"]})
     return [str(name) for name in channels["channel"].to_pylist()]

@@ -291,7 +291,7 @@ def _learn(
     local = {name_of(row): row for row in running.rows("channels")}
     known = {
         name_of(row): row["channel_id"]
-        for row in state.rows("stored/state/known_channels", {"monitor_id": monitor["monitor_id"]})
+        for row in state.rows("stored/state/monitor_channels", {"monitor_id": monitor["monitor_id"]})
     }
     last, method, programs = draft.last, method_hash(), study.method.programs
     numbering: list[Row] = []

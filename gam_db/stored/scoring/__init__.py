@@ -203,7 +203,7 @@ class Run:
 
     def _known(self) -> list[Row]:
         slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
-        return self.state.rows("stored/state/known_channels", slots)
+        return self.state.rows("stored/state/monitor_channels", slots)
 
     def _look(self, cohort: Cohort) -> list[Row]:
         """Keep *names*, what the source holds by name in the range of a cohort, and return its rows."""
