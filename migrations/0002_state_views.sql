@@ -74,7 +74,7 @@ FROM (
     GROUP BY version_id
   ) AS hiding ON hiding.version_id = run.version_id
   WHERE run.run_id <= hiding.newest_id
-) AS placed
+) AS run_order
 WHERE runs_back > 1;
 
 COMMENT ON VIEW stored_hidden_run IS 'Runs of which later ones hide rows';
@@ -232,30 +232,30 @@ COMMENT ON COLUMN stored_visible_judgement.last_zero
 -- Visible episode: what is known of every episode now: its newest row.
 CREATE OR REPLACE VIEW stored_visible_episode AS
 SELECT
-  kept.monitor_id AS monitor_id,
-  kept.episode_id AS episode_id,
-  kept.seq AS seq,
-  kept.noticed_at AS noticed_at,
-  kept.what AS what,
-  kept.status AS status,
-  kept.merged_into AS merged_into,
-  kept.channel_id AS channel_id,
-  kept.version_id AS version_id,
-  kept.onset AS onset,
-  kept.first_judgement AS first_judgement,
-  kept.last_judgement AS last_judgement,
-  kept.onset_time AS onset_time,
-  kept.first_time AS first_time,
-  kept.last_time AS last_time,
-  kept.evidence AS evidence,
-  kept.height AS height,
-  kept.is_proving AS is_proving
-FROM stored_episode AS kept
+  episode.monitor_id AS monitor_id,
+  episode.episode_id AS episode_id,
+  episode.seq AS seq,
+  episode.noticed_at AS noticed_at,
+  episode.what AS what,
+  episode.status AS status,
+  episode.merged_into AS merged_into,
+  episode.channel_id AS channel_id,
+  episode.version_id AS version_id,
+  episode.onset AS onset,
+  episode.first_judgement AS first_judgement,
+  episode.last_judgement AS last_judgement,
+  episode.onset_time AS onset_time,
+  episode.first_time AS first_time,
+  episode.last_time AS last_time,
+  episode.evidence AS evidence,
+  episode.height AS height,
+  episode.is_proving AS is_proving
+FROM stored_episode AS episode
 JOIN (
   SELECT monitor_id, episode_id, MAX(seq) AS newest_seq
   FROM stored_episode
   GROUP BY monitor_id, episode_id
-) AS newest ON newest.monitor_id = kept.monitor_id AND newest.newest_seq = kept.seq;
+) AS newest ON newest.monitor_id = episode.monitor_id AND newest.newest_seq = episode.seq;
 
 COMMENT ON VIEW stored_visible_episode IS 'Episodes as they are now; one row per episode';
 COMMENT ON COLUMN stored_visible_episode.monitor_id IS 'The monitor';
@@ -285,66 +285,68 @@ COMMENT ON COLUMN stored_visible_episode.is_proving
 -- a decision only a true fault that goes on. Now is when the newest run of the monitor was recorded.
 CREATE OR REPLACE VIEW stored_labelled_episode AS
 SELECT
-  said.monitor_id AS monitor_id,
-  said.episode_id AS episode_id,
-  said.seq AS seq,
-  said.noticed_at AS noticed_at,
-  said.what AS what,
-  said.status AS status,
-  said.merged_into AS merged_into,
-  said.channel_id AS channel_id,
-  said.version_id AS version_id,
-  said.onset AS onset,
-  said.first_judgement AS first_judgement,
-  said.last_judgement AS last_judgement,
-  said.onset_time AS onset_time,
-  said.first_time AS first_time,
-  said.last_time AS last_time,
-  said.evidence AS evidence,
-  said.height AS height,
-  said.is_proving AS is_proving,
-  said.label AS label,
-  said.label_until AS label_until,
-  said.note AS note,
+  labelled.monitor_id AS monitor_id,
+  labelled.episode_id AS episode_id,
+  labelled.seq AS seq,
+  labelled.noticed_at AS noticed_at,
+  labelled.what AS what,
+  labelled.status AS status,
+  labelled.merged_into AS merged_into,
+  labelled.channel_id AS channel_id,
+  labelled.version_id AS version_id,
+  labelled.onset AS onset,
+  labelled.first_judgement AS first_judgement,
+  labelled.last_judgement AS last_judgement,
+  labelled.onset_time AS onset_time,
+  labelled.first_time AS first_time,
+  labelled.last_time AS last_time,
+  labelled.evidence AS evidence,
+  labelled.height AS height,
+  labelled.is_proving AS is_proving,
+  labelled.label AS label,
+  labelled.label_until AS label_until,
+  labelled.note AS note,
   CASE
-    WHEN said.status = 'open' AND said.height = 1 THEN 'high'
-    WHEN said.status IN ('merged', 'withdrawn', 'recalibrated') OR said.is_proving = 0 THEN said.status
-    WHEN said.label IN ('true_fault', 'false_alarm', 'maintenance', 'new_program') THEN said.status
+    WHEN labelled.status = 'open' AND labelled.height = 1 THEN 'high'
+    WHEN labelled.status IN ('merged', 'withdrawn', 'recalibrated') OR labelled.is_proving = 0 THEN labelled.status
+    WHEN labelled.label IN ('true_fault', 'false_alarm', 'maintenance', 'new_program') THEN labelled.status
     ELSE 'proving'
   END AS told_as,
   CASE
-    WHEN said.status IN ('merged', 'withdrawn', 'recalibrated') THEN 0
-    WHEN said.label IN ('acknowledged', 'snoozed') AND (said.label_until IS NULL OR said.label_until > said.now_tick) THEN 0
-    WHEN said.label IN ('false_alarm', 'maintenance', 'new_program') THEN 0
-    WHEN said.status = 'open' THEN 1
-    WHEN said.label = 'true_fault' THEN 0
-    ELSE said.is_proving
+    WHEN labelled.status IN ('merged', 'withdrawn', 'recalibrated') THEN 0
+    WHEN labelled.label IN ('acknowledged', 'snoozed')
+      AND (labelled.label_until IS NULL OR labelled.label_until > labelled.now_tick)
+      THEN 0
+    WHEN labelled.label IN ('false_alarm', 'maintenance', 'new_program') THEN 0
+    WHEN labelled.status = 'open' THEN 1
+    WHEN labelled.label = 'true_fault' THEN 0
+    ELSE labelled.is_proving
   END AS needs_attention
 FROM (
   SELECT
-    kept.monitor_id AS monitor_id,
-    kept.episode_id AS episode_id,
-    kept.seq AS seq,
-    kept.noticed_at AS noticed_at,
-    kept.what AS what,
-    kept.status AS status,
-    kept.merged_into AS merged_into,
-    kept.channel_id AS channel_id,
-    kept.version_id AS version_id,
-    kept.onset AS onset,
-    kept.first_judgement AS first_judgement,
-    kept.last_judgement AS last_judgement,
-    kept.onset_time AS onset_time,
-    kept.first_time AS first_time,
-    kept.last_time AS last_time,
-    kept.evidence AS evidence,
-    kept.height AS height,
-    kept.is_proving AS is_proving,
-    CASE WHEN given.hit = 1 THEN given.kind END AS label,
-    CASE WHEN given.hit = 1 THEN given.until END AS label_until,
-    CASE WHEN given.hit = 1 THEN given.note END AS note,
+    episode.monitor_id AS monitor_id,
+    episode.episode_id AS episode_id,
+    episode.seq AS seq,
+    episode.noticed_at AS noticed_at,
+    episode.what AS what,
+    episode.status AS status,
+    episode.merged_into AS merged_into,
+    episode.channel_id AS channel_id,
+    episode.version_id AS version_id,
+    episode.onset AS onset,
+    episode.first_judgement AS first_judgement,
+    episode.last_judgement AS last_judgement,
+    episode.onset_time AS onset_time,
+    episode.first_time AS first_time,
+    episode.last_time AS last_time,
+    episode.evidence AS evidence,
+    episode.height AS height,
+    episode.is_proving AS is_proving,
+    CASE WHEN label_row.hit = 1 THEN label_row.kind END AS label,
+    CASE WHEN label_row.hit = 1 THEN label_row.until END AS label_until,
+    CASE WHEN label_row.hit = 1 THEN label_row.note END AS note,
     CASE WHEN heard.hit = 1 THEN heard.committed ELSE 0 END AS now_tick
-  FROM stored_visible_episode AS kept
+  FROM stored_visible_episode AS episode
   LEFT JOIN (
     SELECT
       raised.monitor_id AS monitor_id,
@@ -367,18 +369,18 @@ FROM (
         AND word.time_from <= raised.last_time
         AND word.time_to >= raised.first_time
       )
-  ) AS given
-    ON given.monitor_id = kept.monitor_id
-    AND given.episode_id = kept.episode_id
-    AND given.labels_back = 1
+  ) AS label_row
+    ON label_row.monitor_id = episode.monitor_id
+    AND label_row.episode_id = episode.episode_id
+    AND label_row.labels_back = 1
   LEFT JOIN (
     SELECT reader.monitor_id AS monitor_id, MAX(done.committed) AS committed, 1 AS hit
     FROM stored_finished_run AS done
-    JOIN stored_version AS made ON made.version_id = done.version_id
-    JOIN stored_channel AS reader ON reader.channel_id = made.channel_id
+    JOIN stored_version AS version ON version.version_id = done.version_id
+    JOIN stored_channel AS reader ON reader.channel_id = version.channel_id
     GROUP BY reader.monitor_id
-  ) AS heard ON heard.monitor_id = kept.monitor_id
-) AS said;
+  ) AS heard ON heard.monitor_id = episode.monitor_id
+) AS labelled;
 
 COMMENT ON VIEW stored_labelled_episode
   IS 'Episodes as they are now, with what was said of them and whether they need attention; one row per episode';

@@ -115,19 +115,19 @@ COMMENT ON COLUMN stored_stillness.still_since_tick
 -- kept, and how long its buckets take. The limit is that of sql/judgement/hi_limit.sql, word for word.
 CREATE OR REPLACE VIEW stored_onset AS
 SELECT
-  placed.version_id AS version_id,
+  history.version_id AS version_id,
   CAST(COUNT(*) AS BIGINT) AS buckets,
-  MIN(placed.first_time) AS first_tick,
-  MAX(placed.last_time) AS last_tick,
-  MAX(placed.since_bucket) AS since_bucket,
-  MAX(CASE WHEN placed.bucket_no = placed.since_bucket THEN placed.last_time END) AS since_tick,
+  MIN(history.first_time) AS first_tick,
+  MAX(history.last_time) AS last_tick,
+  MAX(history.since_bucket) AS since_bucket,
+  MAX(CASE WHEN history.bucket_no = history.since_bucket THEN history.last_time END) AS since_tick,
   MIN(
-    CASE WHEN placed.bucket_no > placed.since_bucket - placed.in_window THEN placed.first_time END
+    CASE WHEN history.bucket_no > history.since_bucket - history.in_window THEN history.first_time END
   ) AS window_from_tick,
   MAX(
     CASE
-      WHEN placed.bucket_no = placed.since_bucket AND placed.since_bucket > placed.last_below + 1 THEN 1
-      WHEN placed.bucket_no = placed.since_bucket THEN 0
+      WHEN history.bucket_no = history.since_bucket AND history.since_bucket > history.last_below + 1 THEN 1
+      WHEN history.bucket_no = history.since_bucket THEN 0
     END
   ) AS at_least
 FROM (
@@ -173,8 +173,8 @@ FROM (
       ) AS version ON version.version_id = full_bucket.version_id
     ) AS compared
   ) AS bounded
-) AS placed
-GROUP BY placed.version_id;
+) AS history
+GROUP BY history.version_id;
 
 COMMENT ON VIEW stored_onset
   IS 'Since when each version is above its limit, over the buckets that are kept; one row per version';
@@ -458,13 +458,13 @@ JOIN (
         FROM stored_version AS version
         JOIN stored_certified AS learnt ON learnt.version_id = version.version_id
         LEFT JOIN (
-          SELECT own.version_id AS version_id, own.reason AS reason, 1 AS hit
-          FROM stored_limit AS own
+          SELECT limit_row.version_id AS version_id, limit_row.reason AS reason, 1 AS hit
+          FROM stored_limit AS limit_row
           JOIN (
             SELECT version_id, MAX(each_limit.limit_no) AS newest_no
             FROM stored_limit AS each_limit
             GROUP BY version_id
-          ) AS latest ON latest.version_id = own.version_id AND latest.newest_no = own.limit_no
+          ) AS latest ON latest.version_id = limit_row.version_id AND latest.newest_no = limit_row.limit_no
         ) AS limited ON limited.version_id = version.version_id
         LEFT JOIN (
           SELECT
@@ -477,10 +477,10 @@ JOIN (
             going.onset_time AS onset_time,
             CAST(
               FLOOR(
-                CAST(going.last_time - going.first_time AS DOUBLE) * CAST(2 * made.window_length AS DOUBLE)
+                CAST(going.last_time - going.first_time AS DOUBLE) * CAST(2 * version.window_length AS DOUBLE)
                 / CAST(
-                  2 * (going.last_judgement - going.first_judgement + 1) * made.window_length
-                  - CASE WHEN made.window_length > 1 THEN 2 ELSE 0 END AS DOUBLE
+                  2 * (going.last_judgement - going.first_judgement + 1) * version.window_length
+                  - CASE WHEN version.window_length > 1 THEN 2 ELSE 0 END AS DOUBLE
                 )
               ) AS BIGINT
             ) AS judgement_length,
@@ -499,7 +499,7 @@ JOIN (
             ) AS episodes_back,
             1 AS hit
           FROM stored_labelled_episode AS going
-          JOIN stored_version AS made ON made.version_id = going.version_id
+          JOIN stored_version AS version ON version.version_id = going.version_id
           WHERE going.status = 'open' OR going.needs_attention = 1
         ) AS raised ON raised.channel_id = version.channel_id AND raised.episodes_back = 1
         LEFT JOIN (
@@ -508,14 +508,14 @@ JOIN (
             1 AS hit,
             newest_no,
             CAST(COUNT(*) AS BIGINT) AS buckets,
-            MAX(placed.last_time) AS last_time,
-            CAST(SUM(placed.novel) AS BIGINT) AS novel,
-            CAST(SUM(CASE WHEN vectors_back < window_length THEN placed.out_of_range ELSE 0 END) AS BIGINT)
+            MAX(history.last_time) AS last_time,
+            CAST(SUM(history.novel) AS BIGINT) AS novel,
+            CAST(SUM(CASE WHEN vectors_back < window_length THEN history.out_of_range ELSE 0 END) AS BIGINT)
               AS out_of_range,
-            MAX(CASE WHEN vectors_back = 0 THEN placed.novel_in_window END) AS novel_in_window,
-            MAX(CASE WHEN vectors_back = window_length THEN placed.novel_in_window END)
+            MAX(CASE WHEN vectors_back = 0 THEN history.novel_in_window END) AS novel_in_window,
+            MAX(CASE WHEN vectors_back = window_length THEN history.novel_in_window END)
               AS novel_window_before,
-            MAX(placed.novel_in_window) AS most_in_window
+            MAX(history.novel_in_window) AS most_in_window
           FROM (
             SELECT
               full_bucket.version_id AS version_id,
@@ -529,23 +529,23 @@ JOIN (
             FROM stored_visible_bucket AS full_bucket
             JOIN (
               SELECT
-                made.version_id AS version_id,
-                made.window_length AS window_length,
-                made.stride AS stride,
+                version.version_id AS version_id,
+                version.window_length AS window_length,
+                version.stride AS stride,
                 counted.newest_no AS newest_no
-              FROM stored_version AS made
+              FROM stored_version AS version
               JOIN (
                 SELECT version_id, MAX(bucket_no) AS newest_no
                 FROM stored_visible_bucket
                 GROUP BY version_id
-              ) AS counted ON counted.version_id = made.version_id
+              ) AS counted ON counted.version_id = version.version_id
             ) AS newest ON newest.version_id = full_bucket.version_id
-          ) AS placed
+          ) AS history
           GROUP BY version_id, newest_no
         ) AS shown ON shown.version_id = version.version_id
       ) AS assessed
     ) AS weighed
-  ) AS told
+  ) AS judged_status
 ) AS judged ON judged.version_id = version.version_id
 LEFT JOIN (
   SELECT
@@ -608,13 +608,16 @@ LEFT JOIN (
         JOIN (
           SELECT
             version_id,
-            MAX(one_run.run_id) AS newest_id,
-            MAX(CASE WHEN one_run.calibration_readings IS NOT NULL THEN one_run.run_id END) AS counted_id,
-            MAX(CASE WHEN one_run.read_to IS NOT NULL THEN one_run.run_id END) AS reading_id,
+            MAX(run_record.run_id) AS newest_id,
+            MAX(CASE WHEN run_record.calibration_readings IS NOT NULL THEN run_record.run_id END) AS counted_id,
+            MAX(CASE WHEN run_record.read_to IS NOT NULL THEN run_record.run_id END) AS reading_id,
             MAX(
-              CASE WHEN one_run.read_to IS NOT NULL AND one_run.context_rows <> one_run.context_expected THEN 1 ELSE 0 END
+              CASE
+                WHEN run_record.read_to IS NOT NULL AND run_record.context_rows <> run_record.context_expected THEN 1
+                ELSE 0
+              END
             ) AS has_differing
-          FROM stored_finished_run AS one_run
+          FROM stored_finished_run AS run_record
           GROUP BY version_id
         ) AS every_run ON every_run.version_id = done.version_id
         WHERE every_run.has_differing = 1
@@ -639,8 +642,8 @@ LEFT JOIN (
     WHERE reading.read_to IS NOT NULL
     GROUP BY version_id
   ) AS latest ON latest.version_id = done.version_id AND latest.newest_id = done.run_id
-  JOIN stored_version AS made ON made.version_id = done.version_id
-  JOIN stored_channel AS reader ON reader.channel_id = made.channel_id
+  JOIN stored_version AS version ON version.version_id = done.version_id
+  JOIN stored_channel AS reader ON reader.channel_id = version.channel_id
   GROUP BY reader.monitor_id
 ) AS heard ON heard.monitor_id = named.monitor_id
 LEFT JOIN (
@@ -846,7 +849,7 @@ FROM (
           strength,
           urgency
         FROM stored_fleet
-      ) AS known
+      ) AS signal_state
     ) AS member
     GROUP BY member.monitor, member.asset
   ) AS counted
@@ -879,23 +882,25 @@ JOIN (
       ) AS left_together
     FROM (
       SELECT
-        known.monitor AS monitor,
-        known.asset AS asset,
-        known.channel AS channel,
-        known.is_above AS is_above,
-        known.since_time AS since_time,
-        known.since_tick AS since_tick,
-        known.data_time AS data_time,
-        known.data_tick AS data_tick,
+        fleet_row.monitor AS monitor,
+        fleet_row.asset AS asset,
+        fleet_row.channel AS channel,
+        fleet_row.is_above AS is_above,
+        fleet_row.since_time AS since_time,
+        fleet_row.since_tick AS since_tick,
+        fleet_row.data_time AS data_time,
+        fleet_row.data_tick AS data_tick,
         each_part.part AS part,
         CAST(
-          SUM(CASE WHEN each_part.part = 1 AND known.since_tick IS NOT NULL THEN 1 ELSE 0 END) OVER (
-            PARTITION BY known.monitor, known.asset
-            ORDER BY CASE WHEN each_part.part = 0 THEN known.window_from_tick ELSE known.since_tick END, each_part.part
+          SUM(CASE WHEN each_part.part = 1 AND fleet_row.since_tick IS NOT NULL THEN 1 ELSE 0 END) OVER (
+            PARTITION BY fleet_row.monitor, fleet_row.asset
+            ORDER BY
+              CASE WHEN each_part.part = 0 THEN fleet_row.window_from_tick ELSE fleet_row.since_tick END,
+              each_part.part
             ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
           ) AS BIGINT
         ) AS begun_by
-      FROM stored_fleet AS known
+      FROM stored_fleet AS fleet_row
       CROSS JOIN (SELECT 0 AS part UNION ALL SELECT 1 AS part UNION ALL SELECT 2 AS part) AS each_part
     ) AS begun
     GROUP BY begun.monitor, begun.asset, begun.channel
@@ -948,18 +953,18 @@ SELECT
   END AS is_rising
 FROM (
   SELECT
-    known.monitor AS monitor,
-    known.asset AS asset,
-    known.channel AS channel,
-    known.version_no AS version_no,
-    known.version_id AS version_id,
-    known.is_above AS is_above,
-    known.floor_sd AS floor_sd,
-    known.hi_limit AS hi_limit,
-    known.hi AS hi,
-    CAST(known.novel_in_window - known.novel_window_before AS DOUBLE) / CAST(known.window_length AS DOUBLE)
+    fleet_row.monitor AS monitor,
+    fleet_row.asset AS asset,
+    fleet_row.channel AS channel,
+    fleet_row.version_no AS version_no,
+    fleet_row.version_id AS version_id,
+    fleet_row.is_above AS is_above,
+    fleet_row.floor_sd AS floor_sd,
+    fleet_row.hi_limit AS hi_limit,
+    fleet_row.hi AS hi,
+    CAST(fleet_row.novel_in_window - fleet_row.novel_window_before AS DOUBLE) / CAST(fleet_row.window_length AS DOUBLE)
       AS rise
-  FROM stored_fleet AS known
+  FROM stored_fleet AS fleet_row
 ) AS moved;
 
 COMMENT ON VIEW stored_trend IS 'Whether the indicator of each channel rises that is not above its limit; one row per channel';
@@ -978,12 +983,12 @@ COMMENT ON COLUMN stored_trend.is_rising
 CREATE OR REPLACE VIEW stored_unplaced_day AS
 SELECT
   watching.name AS monitor,
-  MAKE_TIMESTAMP(found.day_start) AS day,
+  MAKE_TIMESTAMP(run_total.day_start) AS day,
   CAST(COUNT(*) AS BIGINT) AS runs,
-  MAX(found.nameless) AS nameless,
-  MAX(found.undated) AS undated,
-  MAX(found.strangers) AS strangers,
-  MAX(found.stranger_channels) AS stranger_channels
+  MAX(run_total.nameless) AS nameless,
+  MAX(run_total.undated) AS undated,
+  MAX(run_total.strangers) AS strangers,
+  MAX(run_total.stranger_channels) AS stranger_channels
 FROM (
   SELECT
     run.monitor_id AS monitor_id,
@@ -998,9 +1003,9 @@ FROM (
     run.stranger_channels AS stranger_channels
   FROM stored_unplaced AS run
   WHERE run.nameless + run.undated + run.strangers > 0
-) AS found
-JOIN stored_monitor AS watching ON watching.monitor_id = found.monitor_id
-GROUP BY watching.name, found.day_start;
+) AS run_total
+JOIN stored_monitor AS watching ON watching.monitor_id = run_total.monitor_id
+GROUP BY watching.name, run_total.day_start;
 
 COMMENT ON VIEW stored_unplaced_day
   IS 'Rows that runs could give to no channel or instant, by day: the most that one run found';

@@ -8,38 +8,40 @@ SELECT
   watching.name AS monitor,
   named.asset AS asset,
   named.channel AS channel,
-  placed.version_no AS version_no,
-  placed.version_id AS version_id,
-  placed.kind AS kind,
-  placed.cell_key AS cell_key,
-  placed.visits AS visits,
-  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(placed.first_tick) END AS first_time,
-  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(placed.last_tick) END AS last_time,
-  placed.first_tick AS first_tick,
-  placed.last_tick AS last_tick,
-  placed.axis AS axis,
-  placed.samples_before AS samples_before,
-  placed.code AS code,
+  coordinate.version_no AS version_no,
+  coordinate.version_id AS version_id,
+  coordinate.kind AS kind,
+  coordinate.cell_key AS cell_key,
+  coordinate.visits AS visits,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(coordinate.first_tick) END AS first_time,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(coordinate.last_tick) END AS last_time,
+  coordinate.first_tick AS first_tick,
+  coordinate.last_tick AS last_tick,
+  coordinate.axis AS axis,
+  coordinate.samples_before AS samples_before,
+  coordinate.code AS code,
   CASE
-    WHEN placed.code = 0 THEN 'missing'
-    WHEN placed.code = 1 THEN 'below'
-    WHEN placed.code = placed.bins + 2 THEN 'above'
+    WHEN coordinate.code = 0 THEN 'missing'
+    WHEN coordinate.code = 1 THEN 'below'
+    WHEN coordinate.code = coordinate.bins + 2 THEN 'above'
     ELSE 'within'
   END AS place,
   CASE
-    WHEN placed.code < 2 THEN NULL
-    WHEN placed.code = placed.bins + 2 THEN placed.calibrated_hi
-    ELSE placed.calibrated_lo
-      + (placed.calibrated_hi - placed.calibrated_lo) * CAST(placed.code - 2 AS DOUBLE) / CAST(placed.bins AS DOUBLE)
+    WHEN coordinate.code < 2 THEN NULL
+    WHEN coordinate.code = coordinate.bins + 2 THEN coordinate.calibrated_hi
+    ELSE coordinate.calibrated_lo
+      + (coordinate.calibrated_hi - coordinate.calibrated_lo)
+        * CAST(coordinate.code - 2 AS DOUBLE) / CAST(coordinate.bins AS DOUBLE)
   END AS value_from,
   CASE
-    WHEN placed.code = 0 OR placed.code = placed.bins + 2 THEN NULL
-    WHEN placed.code = 1 THEN placed.calibrated_lo
-    WHEN placed.code = placed.bins + 1 THEN placed.calibrated_hi
-    ELSE placed.calibrated_lo
-      + (placed.calibrated_hi - placed.calibrated_lo) * CAST(placed.code - 1 AS DOUBLE) / CAST(placed.bins AS DOUBLE)
+    WHEN coordinate.code = 0 OR coordinate.code = coordinate.bins + 2 THEN NULL
+    WHEN coordinate.code = 1 THEN coordinate.calibrated_lo
+    WHEN coordinate.code = coordinate.bins + 1 THEN coordinate.calibrated_hi
+    ELSE coordinate.calibrated_lo
+      + (coordinate.calibrated_hi - coordinate.calibrated_lo)
+        * CAST(coordinate.code - 1 AS DOUBLE) / CAST(coordinate.bins AS DOUBLE)
   END AS value_to,
-  placed.program_no AS program_no,
+  coordinate.program_no AS program_no,
   CASE WHEN ran.hit = 1 THEN ran.program END AS program
 FROM (
   SELECT
@@ -76,24 +78,24 @@ FROM (
     END AS program_no
   FROM (
     SELECT
-      made.version_id AS version_id,
+      version.version_id AS version_id,
       'healthy' AS kind,
       held.cell_key AS cell_key,
       held.visits AS visits,
       held.first_time AS first_tick,
       held.last_time AS last_tick
     FROM stored_support AS held
-    JOIN stored_version AS made ON made.support_id = held.support_id
+    JOIN stored_version AS version ON version.support_id = held.support_id
     UNION ALL
     SELECT
-      found.version_id AS version_id,
+      novel_cell.version_id AS version_id,
       'novel' AS kind,
-      found.cell_key AS cell_key,
-      CAST(SUM(found.visits) AS BIGINT) AS visits,
-      MIN(found.first_time) AS first_tick,
-      MAX(found.last_time) AS last_tick
-    FROM stored_visible_novel AS found
-    GROUP BY found.version_id, found.cell_key
+      novel_cell.cell_key AS cell_key,
+      CAST(SUM(novel_cell.visits) AS BIGINT) AS visits,
+      MIN(novel_cell.first_time) AS first_tick,
+      MAX(novel_cell.last_time) AS last_tick
+    FROM stored_visible_novel AS novel_cell
+    GROUP BY novel_cell.version_id, novel_cell.cell_key
   ) AS visited
   JOIN (
     SELECT
@@ -193,13 +195,13 @@ FROM (
     WHERE axis < m
   ) AS along ON along.version_id = visited.version_id
   JOIN stored_bounds AS learnt ON learnt.support_id = along.support_id
-) AS placed
-JOIN stored_channel AS named ON named.channel_id = placed.channel_id
+) AS coordinate
+JOIN stored_channel AS named ON named.channel_id = coordinate.channel_id
 JOIN stored_monitor AS watching ON watching.monitor_id = named.monitor_id
 LEFT JOIN (
   SELECT support_id, program_no, program, 1 AS hit
   FROM stored_program
-) AS ran ON ran.support_id = placed.support_id AND ran.program_no = placed.program_no;
+) AS ran ON ran.support_id = coordinate.support_id AND ran.program_no = coordinate.program_no;
 
 COMMENT ON VIEW stored_cell
   IS 'Cells of each channel, healthy and novel, as one interval of the signal per axis; one row per cell and axis';
@@ -348,24 +350,24 @@ SELECT
   named.asset AS asset,
   named.channel AS channel,
   version.version_no AS version_no,
-  known.phase AS phase,
-  known.number AS number,
-  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(known.last_tick) END AS last_time,
-  known.last_tick AS last_tick,
-  known.healthy AS healthy,
-  known.novel AS novel
+  growth.phase AS phase,
+  growth.number AS number,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(growth.last_tick) END AS last_time,
+  growth.last_tick AS last_tick,
+  growth.healthy AS healthy,
+  growth.novel AS novel
 FROM (
   SELECT
-    made.version_id AS version_id,
+    version.version_id AS version_id,
     'calibration' AS phase,
     part.block AS number,
     part.last_time AS last_tick,
     CAST(SUM(CASE WHEN cell.first_time <= part.last_time THEN 1 ELSE 0 END) AS BIGINT) AS healthy,
     CAST(0 AS BIGINT) AS novel
-  FROM stored_version AS made
-  JOIN stored_block AS part ON part.support_id = made.support_id AND part.channel_id = made.channel_id
-  JOIN stored_support AS cell ON cell.support_id = made.support_id
-  GROUP BY made.version_id, part.block, part.last_time
+  FROM stored_version AS version
+  JOIN stored_block AS part ON part.support_id = version.support_id AND part.channel_id = version.channel_id
+  JOIN stored_support AS cell ON cell.support_id = version.support_id
+  GROUP BY version.version_id, part.block, part.last_time
   UNION ALL
   SELECT
     full_bucket.version_id AS version_id,
@@ -374,15 +376,15 @@ FROM (
     full_bucket.last_time AS last_tick,
     learnt.cells AS healthy,
     CAST(
-      SUM(CASE WHEN found.hit = 1 THEN found.cells ELSE 0 END) OVER (
+      SUM(CASE WHEN first_novel.hit = 1 THEN first_novel.cells ELSE 0 END) OVER (
         PARTITION BY full_bucket.version_id
         ORDER BY full_bucket.bucket_no
         ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
       ) AS BIGINT
     ) AS novel
   FROM stored_visible_bucket AS full_bucket
-  JOIN stored_version AS made ON made.version_id = full_bucket.version_id
-  JOIN stored_bounds AS learnt ON learnt.support_id = made.support_id
+  JOIN stored_version AS version ON version.version_id = full_bucket.version_id
+  JOIN stored_bounds AS learnt ON learnt.support_id = version.support_id
   LEFT JOIN (
     SELECT version_id, first_no, CAST(COUNT(*) AS BIGINT) AS cells, 1 AS hit
     FROM (
@@ -391,9 +393,9 @@ FROM (
       GROUP BY version_id, cell_key
     ) AS seen
     GROUP BY version_id, first_no
-  ) AS found ON found.version_id = full_bucket.version_id AND found.first_no = full_bucket.bucket_no
-) AS known
-JOIN stored_version AS version ON version.version_id = known.version_id
+  ) AS first_novel ON first_novel.version_id = full_bucket.version_id AND first_novel.first_no = full_bucket.bucket_no
+) AS growth
+JOIN stored_version AS version ON version.version_id = growth.version_id
 JOIN (
   SELECT channel_id, MAX(version_id) AS newest_id
   FROM stored_version

@@ -6,59 +6,59 @@
 CREATE OR REPLACE VIEW stored_alarm AS
 SELECT
   watching.name AS monitor,
-  kept.episode_id AS episode_id,
+  episode.episode_id AS episode_id,
   named.asset AS asset,
   named.channel AS channel,
-  kept.status AS status,
-  kept.is_proving AS is_proving,
-  kept.told_as AS told_as,
-  kept.needs_attention AS needs_attention,
-  kept.label AS label,
-  kept.label_until AS label_until,
-  kept.note AS note,
-  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(kept.onset_time) END AS since_time,
-  kept.onset_time AS since_tick,
-  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(kept.first_time) END AS first_time,
-  kept.first_time AS first_tick,
-  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(kept.last_time) END AS last_time,
-  kept.last_time AS last_tick,
-  kept.onset AS onset,
-  kept.first_judgement AS first_judgement,
-  kept.last_judgement AS last_judgement,
-  kept.evidence AS evidence,
-  kept.height AS height,
+  episode.status AS status,
+  episode.is_proving AS is_proving,
+  episode.told_as AS told_as,
+  episode.needs_attention AS needs_attention,
+  episode.label AS label,
+  episode.label_until AS label_until,
+  episode.note AS note,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(episode.onset_time) END AS since_time,
+  episode.onset_time AS since_tick,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(episode.first_time) END AS first_time,
+  episode.first_time AS first_tick,
+  CASE WHEN watching.time_kind <> 'counter' THEN MAKE_TIMESTAMP(episode.last_time) END AS last_time,
+  episode.last_time AS last_tick,
+  episode.onset AS onset,
+  episode.first_judgement AS first_judgement,
+  episode.last_judgement AS last_judgement,
+  episode.evidence AS evidence,
+  episode.height AS height,
   CASE WHEN promised.hit = 1 THEN promised.basis END AS basis,
   CASE WHEN promised.hit = 1 THEN promised.asked END AS asked,
   CASE WHEN promised.hit = 1 THEN promised.stated_rate END AS stated_rate,
   CASE WHEN beside.hit = 1 THEN beside.signals ELSE 0 END AS signals_open,
-  kept.merged_into AS merged_into,
-  kept.seq AS seq,
-  kept.version_id AS version_id,
-  kept.channel_id AS channel_id,
+  episode.merged_into AS merged_into,
+  episode.seq AS seq,
+  episode.version_id AS version_id,
+  episode.channel_id AS channel_id,
   CASE WHEN grouped.hit = 1 THEN grouped.incident_id END AS incident_id,
   CASE WHEN grouped.hit = 1 THEN grouped.signals ELSE 0 END AS signals_together
-FROM stored_labelled_episode AS kept
-JOIN stored_monitor AS watching ON watching.monitor_id = kept.monitor_id
-JOIN stored_channel AS named ON named.channel_id = kept.channel_id
+FROM stored_labelled_episode AS episode
+JOIN stored_monitor AS watching ON watching.monitor_id = episode.monitor_id
+JOIN stored_channel AS named ON named.channel_id = episode.channel_id
 LEFT JOIN (
   SELECT
     raised.monitor_id AS monitor_id,
     raised.episode_id AS episode_id,
-    made.basis AS basis,
-    made.asked AS asked,
-    made.stated_rate AS stated_rate,
+    version.basis AS basis,
+    version.asked AS asked,
+    version.stated_rate AS stated_rate,
     CAST(
       ROW_NUMBER() OVER (
-        PARTITION BY raised.monitor_id, raised.episode_id ORDER BY made.limit_no DESC
+        PARTITION BY raised.monitor_id, raised.episode_id ORDER BY version.limit_no DESC
       ) AS BIGINT
     ) AS limits_back,
     1 AS hit
   FROM stored_visible_episode AS raised
-  JOIN stored_limit AS made
-    ON made.version_id = raised.version_id AND made.from_judgement <= raised.first_judgement
+  JOIN stored_limit AS version
+    ON version.version_id = raised.version_id AND version.from_judgement <= raised.first_judgement
 ) AS promised
-  ON promised.monitor_id = kept.monitor_id
-  AND promised.episode_id = kept.episode_id
+  ON promised.monitor_id = episode.monitor_id
+  AND promised.episode_id = episode.episode_id
   AND promised.limits_back = 1
 LEFT JOIN (
   SELECT
@@ -70,7 +70,7 @@ LEFT JOIN (
   JOIN stored_channel AS owner ON owner.channel_id = raised.channel_id
   WHERE raised.status = 'open'
   GROUP BY raised.monitor_id, owner.asset
-) AS beside ON beside.monitor_id = kept.monitor_id AND beside.asset = named.asset
+) AS beside ON beside.monitor_id = episode.monitor_id AND beside.asset = named.asset
 LEFT JOIN (
   SELECT
     counted.monitor_id AS monitor_id,
@@ -121,19 +121,20 @@ LEFT JOIN (
           owner.asset AS asset,
           raised.episode_id AS episode_id,
           raised.first_time AS first_time,
-          CAST(5 AS DOUBLE) * CAST(raised.last_time - raised.first_time AS DOUBLE) * CAST(made.window_length AS DOUBLE)
+          CAST(5 AS DOUBLE) * CAST(raised.last_time - raised.first_time AS DOUBLE)
+            * CAST(version.window_length AS DOUBLE)
             / CAST(
-              2 * (raised.last_judgement - raised.first_judgement + 1) * made.window_length
-              - CASE WHEN made.window_length > 1 THEN 2 ELSE 0 END AS DOUBLE
+              2 * (raised.last_judgement - raised.first_judgement + 1) * version.window_length
+              - CASE WHEN version.window_length > 1 THEN 2 ELSE 0 END AS DOUBLE
             ) AS two_judgements
         FROM stored_visible_episode AS raised
         JOIN stored_channel AS owner ON owner.channel_id = raised.channel_id
-        JOIN stored_version AS made ON made.version_id = raised.version_id
+        JOIN stored_version AS version ON version.version_id = raised.version_id
         WHERE raised.status <> 'merged' AND raised.status <> 'withdrawn'
       ) AS opening
     ) AS begun
   ) AS counted
-) AS grouped ON grouped.monitor_id = kept.monitor_id AND grouped.episode_id = kept.episode_id;
+) AS grouped ON grouped.monitor_id = episode.monitor_id AND grouped.episode_id = episode.episode_id;
 
 COMMENT ON VIEW stored_alarm IS 'Episodes as they are now, for people; one row per episode';
 COMMENT ON COLUMN stored_alarm.monitor IS 'The monitor';
@@ -188,19 +189,19 @@ COMMENT ON COLUMN stored_alarm.signals_together IS 'How many these are; 1 if it 
 -- those that were noticed together.
 CREATE OR REPLACE VIEW stored_alarm_event AS
 SELECT
-  told.monitor AS monitor,
-  told.seq AS seq,
-  told.episode_id AS episode_id,
-  told.what AS what,
-  told.noticed_at AS noticed_at,
-  told.asset AS asset,
-  told.channel AS channel,
-  told.status AS status,
-  told.is_proving AS is_proving,
-  told.basis AS basis,
-  told.incident_id AS incident_id,
-  told.signals_together AS signals_together,
-  CASE WHEN told.place = 1 THEN 1 ELSE 0 END AS is_message
+  event.monitor AS monitor,
+  event.seq AS seq,
+  event.episode_id AS episode_id,
+  event.what AS what,
+  event.noticed_at AS noticed_at,
+  event.asset AS asset,
+  event.channel AS channel,
+  event.status AS status,
+  event.is_proving AS is_proving,
+  event.basis AS basis,
+  event.incident_id AS incident_id,
+  event.signals_together AS signals_together,
+  CASE WHEN event.place = 1 THEN 1 ELSE 0 END AS is_message
 FROM (
   SELECT
     raised.monitor AS monitor,
@@ -229,7 +230,7 @@ FROM (
   JOIN stored_monitor AS watching ON watching.monitor_id = changed.monitor_id
   JOIN stored_alarm AS raised ON raised.monitor = watching.name AND raised.episode_id = changed.episode_id
   WHERE changed.what <> 'changed'
-) AS told;
+) AS event;
 
 COMMENT ON VIEW stored_alarm_event IS 'Changes of episodes; one row per change, seq only grows within a monitor';
 COMMENT ON COLUMN stored_alarm_event.monitor IS 'The monitor';
@@ -254,44 +255,48 @@ COMMENT ON COLUMN stored_alarm_event.is_message
 CREATE OR REPLACE VIEW stored_alarm_band AS
 SELECT
   watching.name AS monitor,
-  told.episode_id AS episode_id,
+  episode_band.episode_id AS episode_id,
   named.asset AS asset,
   named.channel AS channel,
-  told.version_id AS version_id,
-  told.band AS band,
+  episode_band.version_id AS version_id,
+  episode_band.band AS band,
   CASE
-    WHEN told.band < 0 THEN 'below'
-    WHEN told.band = told.bands THEN 'above'
+    WHEN episode_band.band < 0 THEN 'below'
+    WHEN episode_band.band = episode_band.bands THEN 'above'
     ELSE 'within'
   END AS place,
   CASE
-    WHEN told.band < 0 THEN NULL
-    WHEN told.band = told.bands THEN learnt.calibrated_hi
-    ELSE learnt.calibrated_lo
-      + (learnt.calibrated_hi - learnt.calibrated_lo)
-        * FLOOR((CAST(told.band * told.bins + told.bands AS DOUBLE) - CAST(5e-1 AS DOUBLE)) / CAST(told.bands AS DOUBLE))
-        / CAST(told.bins AS DOUBLE)
-  END AS value_from,
-  CASE
-    WHEN told.band = told.bands THEN NULL
-    WHEN told.band < 0 THEN learnt.calibrated_lo
-    WHEN told.band = told.bands - 1 THEN learnt.calibrated_hi
+    WHEN episode_band.band < 0 THEN NULL
+    WHEN episode_band.band = episode_band.bands THEN learnt.calibrated_hi
     ELSE learnt.calibrated_lo
       + (learnt.calibrated_hi - learnt.calibrated_lo)
         * FLOOR(
-          (CAST((told.band + 1) * told.bins + told.bands AS DOUBLE) - CAST(5e-1 AS DOUBLE)) / CAST(told.bands AS DOUBLE)
+          (CAST(episode_band.band * episode_band.bins + episode_band.bands AS DOUBLE) - CAST(5e-1 AS DOUBLE))
+          / CAST(episode_band.bands AS DOUBLE)
         )
-        / CAST(told.bins AS DOUBLE)
+        / CAST(episode_band.bins AS DOUBLE)
+  END AS value_from,
+  CASE
+    WHEN episode_band.band = episode_band.bands THEN NULL
+    WHEN episode_band.band < 0 THEN learnt.calibrated_lo
+    WHEN episode_band.band = episode_band.bands - 1 THEN learnt.calibrated_hi
+    ELSE learnt.calibrated_lo
+      + (learnt.calibrated_hi - learnt.calibrated_lo)
+        * FLOOR(
+          (CAST((episode_band.band + 1) * episode_band.bins + episode_band.bands AS DOUBLE) - CAST(5e-1 AS DOUBLE))
+          / CAST(episode_band.bands AS DOUBLE)
+        )
+        / CAST(episode_band.bins AS DOUBLE)
   END AS value_to,
-  told.novel AS novel,
-  told.visits AS visits,
+  episode_band.novel AS novel,
+  episode_band.visits AS visits,
   CASE WHEN taught.hit = 1 THEN taught.novel_buffered ELSE 0 END AS calibration_novel,
   CASE WHEN taught.hit = 1 THEN taught.visits ELSE 0 END AS calibration_visits,
   CASE
     WHEN taught.hit = 1
-      THEN CAST(told.novel * taught.visits - told.visits * taught.novel_buffered AS DOUBLE)
+      THEN CAST(episode_band.novel * taught.visits - episode_band.visits * taught.novel_buffered AS DOUBLE)
         / CAST(CASE WHEN taught.visits > 0 THEN taught.visits ELSE 1 END AS DOUBLE)
-    ELSE CAST(told.novel AS DOUBLE)
+    ELSE CAST(episode_band.novel AS DOUBLE)
   END AS excess
 FROM (
   SELECT
@@ -299,28 +304,28 @@ FROM (
     raised.episode_id AS episode_id,
     raised.channel_id AS channel_id,
     raised.version_id AS version_id,
-    made.support_id AS support_id,
-    made.bins AS bins,
-    CASE WHEN made.bins < 20 THEN made.bins ELSE 20 END AS bands,
+    version.support_id AS support_id,
+    version.bins AS bins,
+    CASE WHEN version.bins < 20 THEN version.bins ELSE 20 END AS bands,
     counted.band AS band,
     CAST(SUM(counted.novel) AS BIGINT) AS novel,
     CAST(SUM(counted.visits) AS BIGINT) AS visits
   FROM stored_visible_episode AS raised
-  JOIN stored_version AS made ON made.version_id = raised.version_id
+  JOIN stored_version AS version ON version.version_id = raised.version_id
   JOIN (
     SELECT
-      known.version_id AS version_id,
-      known.judgement_no AS judgement_no,
-      known.band AS band,
-      MAX(known.novel) AS novel,
-      MAX(known.visits) AS visits
-    FROM stored_band_visit AS known
-    JOIN stored_visible_judgement AS said
-      ON said.version_id = known.version_id
-      AND said.judgement_no = known.judgement_no
-      AND said.run_id = known.run_id
-    WHERE known.visits > 0
-    GROUP BY known.version_id, known.judgement_no, known.band
+      band_visit.version_id AS version_id,
+      band_visit.judgement_no AS judgement_no,
+      band_visit.band AS band,
+      MAX(band_visit.novel) AS novel,
+      MAX(band_visit.visits) AS visits
+    FROM stored_band_visit AS band_visit
+    JOIN stored_visible_judgement AS judgement
+      ON judgement.version_id = band_visit.version_id
+      AND judgement.judgement_no = band_visit.judgement_no
+      AND judgement.run_id = band_visit.run_id
+    WHERE band_visit.visits > 0
+    GROUP BY band_visit.version_id, band_visit.judgement_no, band_visit.band
   ) AS counted
     ON counted.version_id = raised.version_id
     AND counted.judgement_no >= raised.first_judgement
@@ -332,13 +337,13 @@ FROM (
     raised.episode_id,
     raised.channel_id,
     raised.version_id,
-    made.support_id,
-    made.bins,
+    version.support_id,
+    version.bins,
     counted.band
-) AS told
-JOIN stored_channel AS named ON named.channel_id = told.channel_id
-JOIN stored_monitor AS watching ON watching.monitor_id = told.monitor_id
-JOIN stored_bounds AS learnt ON learnt.support_id = told.support_id
+) AS episode_band
+JOIN stored_channel AS named ON named.channel_id = episode_band.channel_id
+JOIN stored_monitor AS watching ON watching.monitor_id = episode_band.monitor_id
+JOIN stored_bounds AS learnt ON learnt.support_id = episode_band.support_id
 LEFT JOIN (
   SELECT
     part.version_id AS version_id,
@@ -349,14 +354,15 @@ LEFT JOIN (
   FROM stored_band AS part
   JOIN (
     SELECT
-      own.version_id AS version_id,
-      own.g AS g,
-      CAST(ROW_NUMBER() OVER (PARTITION BY own.version_id ORDER BY own.limit_no DESC) AS BIGINT) AS limits_back
-    FROM stored_limit AS own
-    WHERE own.height IS NOT NULL
+      limit_row.version_id AS version_id,
+      limit_row.g AS g,
+      CAST(ROW_NUMBER() OVER (PARTITION BY limit_row.version_id ORDER BY limit_row.limit_no DESC) AS BIGINT)
+        AS limits_back
+    FROM stored_limit AS limit_row
+    WHERE limit_row.height IS NOT NULL
   ) AS limited ON limited.version_id = part.version_id AND limited.g = part.g
   WHERE limited.limits_back = 1
-) AS taught ON taught.version_id = told.version_id AND taught.band = told.band;
+) AS taught ON taught.version_id = episode_band.version_id AND taught.band = episode_band.band;
 
 COMMENT ON VIEW stored_alarm_band
   IS 'In which part of its range an episode stands out; one row per band that its first five judgements visited';
@@ -458,26 +464,26 @@ FROM (
       ) AS steps
     FROM (
       SELECT
-        placed.monitor AS monitor,
+        coordinate.monitor AS monitor,
         common.episode_id AS episode_id,
-        placed.asset AS asset,
-        placed.channel AS channel,
-        placed.version_id AS version_id,
+        coordinate.asset AS asset,
+        coordinate.channel AS channel,
+        coordinate.version_id AS version_id,
         common.cell_rank AS cell_rank,
-        placed.cell_key AS cell_key,
+        coordinate.cell_key AS cell_key,
         common.visits AS visits,
-        CASE WHEN placed.first_time IS NULL THEN 0 ELSE 1 END AS is_dated,
+        CASE WHEN coordinate.first_time IS NULL THEN 0 ELSE 1 END AS is_dated,
         common.first_tick AS first_tick,
         common.last_tick AS last_tick,
-        placed.axis AS axis,
-        placed.samples_before AS samples_before,
-        placed.place AS place,
-        placed.value_from AS value_from,
-        placed.value_to AS value_to,
-        placed.code AS code,
-        placed.program_no AS program_no,
-        placed.program AS program
-      FROM stored_cell AS placed
+        coordinate.axis AS axis,
+        coordinate.samples_before AS samples_before,
+        coordinate.place AS place,
+        coordinate.value_from AS value_from,
+        coordinate.value_to AS value_to,
+        coordinate.code AS code,
+        coordinate.program_no AS program_no,
+        coordinate.program AS program
+      FROM stored_cell AS coordinate
       JOIN (
         SELECT
           seen.version_id AS version_id,
@@ -500,16 +506,16 @@ FROM (
             MIN(strange.first_time) AS first_tick,
             MAX(strange.last_time) AS last_tick
           FROM stored_visible_episode AS raised
-          JOIN stored_version AS made ON made.version_id = raised.version_id
+          JOIN stored_version AS version ON version.version_id = raised.version_id
           JOIN stored_visible_novel AS strange
             ON strange.version_id = raised.version_id
-            AND strange.bucket_no * made.stride >= raised.first_judgement * made.window_length
-            AND strange.bucket_no * made.stride < (raised.last_judgement + 1) * made.window_length
+            AND strange.bucket_no * version.stride >= raised.first_judgement * version.window_length
+            AND strange.bucket_no * version.stride < (raised.last_judgement + 1) * version.window_length
           WHERE raised.status <> 'merged' AND raised.status <> 'withdrawn'
           GROUP BY raised.version_id, raised.episode_id, strange.cell_key
         ) AS seen
-      ) AS common ON common.version_id = placed.version_id AND common.cell_key = placed.cell_key
-      WHERE placed.kind = 'novel' AND common.cell_rank <= 10
+      ) AS common ON common.version_id = coordinate.version_id AND common.cell_key = coordinate.cell_key
+      WHERE coordinate.kind = 'novel' AND common.cell_rank <= 10
     ) AS fresh
     JOIN stored_cell AS healthy
       ON healthy.version_id = fresh.version_id AND healthy.axis = fresh.axis AND healthy.program_no = fresh.program_no

@@ -89,14 +89,14 @@ def add_look(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
     add(steps, "check/correlations")
     add(steps, "check/peaks")
     add(steps, "check/cycles")
-    edges = {name: instant_of(exp.column(name, table="known")) for name in ("first_time", "last_time")}
+    edges = {name: instant_of(exp.column(name, table="figures")) for name in ("first_time", "last_time")}
     add(steps, "check/check_summary", edges)
     steps.small |= _SMALL
 
 
 def _by_setting(figures: Sequence[int | None]) -> exp.Expr:
     """Return the figure of a channel by the number of its settings."""
-    number = exp.column("settings_no", table="known")
+    number = exp.column("settings_no", table="figures")
     others = enumerate(figures[1:], start=1)
     return template.case(((number.eq(place), figure) for place, figure in others), figures[0])
 

@@ -186,5 +186,5 @@ def watched(
 
 def channels_of(state: State, monitor_row: Row) -> list[str]:
     """Return the names of a monitor's channels, as often as there are assets with such."""
-    channels = state.fetch("stored/state/known_channels", {"monitor_id": monitor_row["monitor_id"]})
+    channels = state.fetch("stored/state/monitor_channels", {"monitor_id": monitor_row["monitor_id"]})
     return [str(name) for name in channels["channel"].to_pylist()]

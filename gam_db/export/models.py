@@ -359,10 +359,10 @@ def _views(of: Modelled) -> Pipeline:
     add(steps, "export/assessed", {"stride": of.setting.stride}, tables=certified)
     add_judged(steps)
     of_window: dict[str, template.Slot] = {"window": of.setting.window_length}
-    for name, times_of, slots in (
-        ("health", ("first_time", "last_time"), {}),
-        ("fleet", ("last_tick", "since_tick"), of_window),
-        ("machine", ("since_tick", "last_tick"), {}),
+    for name, table, times_of, slots in (
+        ("health", "bucket_row", ("first_time", "last_time"), {}),
+        ("fleet", "judgement", ("last_tick", "since_tick"), of_window),
+        ("machine", "machine_row", ("since_tick", "last_tick"), {}),
     ):
         if name == "machine":
             add(steps, "judgement/machines", tables={"signals": "fleet"})
@@ -371,7 +371,7 @@ def _views(of: Modelled) -> Pipeline:
             tables = {"last_tick": "counted"} if name == "machine" else {}
             times = [
                 exp.alias_(
-                    of.instant(exp.column(column, table=tables.get(column, "made"))),
+                    of.instant(exp.column(column, table=tables.get(column, table))),
                     column.replace("tick", "time"),
                 )
                 for column in times_of

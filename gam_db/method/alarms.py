@@ -15,7 +15,7 @@ from gam_db.settings.source import TimeNode
 NEAR, ORDERED, FAR = 1, 4, 8
 
 _SMALL = (
-    *("buffered", "block_roots", "spreads", "own_cells", "order_ratios", "lengths"),
+    *("buffered", "block_roots", "spreads", "exclusive_cells", "order_ratios", "lengths"),
     *("judged_windows", "opened", "merged"),
 )
 
@@ -42,13 +42,13 @@ def add_counted(steps: Pipeline, has_instants: bool = True, bounds: str = "bound
 
     Where calibration may be single instants (``has_instants``), the samples are read for them.
     """
-    steps.small |= {"visits", "block_sizes", "vouched", "banded", "own_cells", "chances"}
+    steps.small |= {"visits", "block_sizes", "vouched", "banded", "exclusive_cells", "chances"}
     band = band_of(exp.column("cell_key", table="visit"), exp.column("bins", table="scale"))
     add(steps, "alarms/vouched", {"band": band, "far": FAR}, tables={"bounds": bounds})
     add(steps, "alarms/banded", {"band": band}, tables={"bounds": bounds})
     add_stacked(steps, "alarms/buffered", [{"g": g} for g in (NEAR, ORDERED, FAR)])
     add_stacked(steps, "alarms/bands", [{"g": g} for g in (NEAR, FAR)])
-    add(steps, "alarms/own_cells")
+    add(steps, "alarms/exclusive_cells")
     add(steps, "alarms/chances", _chances(2 * ORDERED + 1))
     add(steps, "alarms/order_ratios", {"g": ORDERED})
     add(steps, "alarms/declared_lengths", name=None if has_instants else "lengths")

@@ -165,7 +165,7 @@ def _add_probe(steps: Pipeline, setting: Parameters, delays: Sequence[int]) -> N
             exp.alias_(code_in(setting.grid, value=exp.column(name)), f"code_{k}")
             for k, name in enumerate(moved)
         ],
-        "known": all_present(setting),
+        "is_present": all_present(setting),
         "cell_key": cell_key(setting),
     }
     add(steps, "probe/changed", slots)
@@ -208,7 +208,7 @@ def _sample(k: int) -> exp.Expr:
     def at(pace: int) -> exp.Expr:
         return exp.column(f"x_{pace}_{k}" if k else "x_0", table="vector")
 
-    pace = exp.column("pace", table="asked")
+    pace = exp.column("pace", table="change")
     newest = exp.column("x_0", table="vector")
     paced = template.case(((pace.eq(of), at(of)) for of in range(FROZEN) if k), newest)
     return template.fill("probe/sample", {"usual": at(0), "paced": paced})

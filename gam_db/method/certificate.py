@@ -17,9 +17,9 @@ def add_missing_vectors(set_steps: OfSet, samples: str) -> None:
     columns = compared(set_steps.setting)
     may_lack = exp.true() if columns else exp.column("missing_readings", table="named") > 0
     slots: dict[str, template.Slot] = {"read": may_lack, "carried": columns}
-    set_steps.add("certificate/known_codes", slots, tables={"samples": samples})
-    add_vectors(set_steps, "known_", has_keys=False)
-    set_steps.add("certificate/missing_vectors", tables={"vectors": "known_vectors"})
+    set_steps.add("certificate/present_codes", slots, tables={"samples": samples})
+    add_vectors(set_steps, "present_", has_keys=False)
+    set_steps.add("certificate/missing_vectors", tables={"vectors": "present_vectors"})
 
 
 def coarse_key(setting: Parameters, has_programs: bool = False) -> exp.Expr:

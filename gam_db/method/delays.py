@@ -54,7 +54,7 @@ class Ways:
         delays: the body of the delays; None for windows.
         by_sets: whether a cell is looked up in the support as a set, instead of by a join.
         has_missing: whether a channel lacks a sample; if none does, nothing is made for such.
-        requested: the last steps that will be asked for, where that is known; others may be, at a price.
+        targets: the last steps that will be asked for, where that is known; others may be, at a price.
         is_cut: whether samples that are none of calibration may come before scoring begins; vectors of
             calibration are then made by windows.
         by_windows: whether segments may end or samples stand still; vectors are then made by windows.
@@ -107,7 +107,7 @@ def add_delays(set_steps: OfSet, prefix: str, ways: Ways, rows: str, has_bits: b
     the readings of the vectors, for windows. Where supports are kept as bits, keys are small.
     """
     # Of a channel without a missing sample every coordinate is there.
-    special_slots: dict[str, template.Slot] = {"known": exp.true()} if prefix == COMPLETE else {}
+    special_slots: dict[str, template.Slot] = {"is_present": exp.true()} if prefix == COMPLETE else {}
     marked = ways.is_cut and prefix == CALIBRATION
     body = ways.delays
     if body is not None and not marked:

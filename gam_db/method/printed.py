@@ -352,11 +352,11 @@ def _add_probe(set_steps: OfSet) -> None:
     set_steps.add("script/picked", {"picked": template.fill("probe/is_picked")})
     has_gap = set_steps.method.gaps[set_steps.number] is not None
     delays = probed_delays(setting)[1:]
-    over, values = _earlier(exp.column("known_value"), delays, has_gap)
+    over, values = _earlier(exp.column("calibration_value"), delays, has_gap)
     if has_gap and delays:
         over["segment_from"] = _newest(exp.column("breaking").eq(1), max(delays) - 1)
     slots: dict[str, template.Slot] = {
-        "told": [exp.column("breaking")] * (has_gap and bool(delays)),
+        "sample_columns": [exp.column("breaking")] * (has_gap and bool(delays)),
         "delayed": [exp.alias_(of, name) for name, of in over.items()],
         "reached": values,
     }

@@ -139,7 +139,7 @@ def _sample(setting: Parameters, k: int, delays: Mapping[int, Sequence[int]]) ->
     usual = of_delay.pop(0)
     paced = exp.Case(default=usual)
     for pace, sample in of_delay.items():
-        paced = paced.when(exp.column("pace", table="asked").eq(pace), sample)
+        paced = paced.when(exp.column("pace", table="change").eq(pace), sample)
     return template.fill("probe/sample", {"usual": usual, "paced": paced})
 
 

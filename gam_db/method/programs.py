@@ -108,7 +108,7 @@ def keyed(set_steps: OfSet) -> dict[str, template.Slot]:
     radix = exp.column("radix") if "radix" in set_steps.method.columns else None
     term = template.fill("program/program_term", {"weight": weight_at(setting, setting.m, radix)})
     return {
-        "known": exp.and_(
+        "is_present": exp.and_(
             all_present(setting), template.fill("program/fits", {"most": most_of(setting)})
         ),
         "cell_key": template.added([cell_key(setting, radix=radix), term]),

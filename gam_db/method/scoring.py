@@ -190,11 +190,11 @@ def add_scored_groups(
         *(column.name for column in _stride(set_steps)),
     )
     set_steps.steps.add(
-        set_steps.named("placed"),
+        set_steps.named("scored_vectors"),
         union_of(
             set_steps.steps, [set_steps.named(part) for part in parts], list(dict.fromkeys(columns))
         ),
-        "Placed: every scored vector with its number.",
+        "Scored vectors: every scored vector with its number.",
     )
     for name in dict.fromkeys(("visited", counted)):
         slots = visited_slots(set_steps.setting, ends, trusting, name == "visited")
@@ -216,7 +216,7 @@ def visited_slots(
     cell: exp.Expr = exp.column("novel_cell")
     part = cell
     if not by_cell:
-        novel = exp.column("novel_cell", table="kept")
+        novel = exp.column("novel_cell", table="visit")
         cell = exp.alias_(exp.Min(this=novel), "novel_cell")
         part = exp.case().when(novel.is_(exp.null()), "0").else_("1")
     carried = list(ends)
@@ -224,7 +224,7 @@ def visited_slots(
     gathered = [_gathered(name, alias, "closing") for name, alias in ends.items()]
     if trusting:
         carried.append("doubled")
-        marked = exp.cast(exp.Max(this=exp.column("doubled", table="kept")), "SMALLINT")
+        marked = exp.cast(exp.Max(this=exp.column("doubled", table="visit")), "SMALLINT")
         gathered.append(exp.alias_(marked, "doubled"))
         needed = exp.column("doubled").eq(1)
     return {
@@ -288,8 +288,8 @@ def _set_key(setting: Parameters, table: str) -> list[exp.Expr]:
 
 def _gathered(name: str, alias: str, where: str) -> exp.Expr:
     """Return the largest value of a column, of the rows alone where another one is 1."""
-    value = exp.column(name, table="kept")
-    chosen = exp.If(this=exp.column(where, table="kept").eq(1), true=value)
+    value = exp.column(name, table="visit")
+    chosen = exp.If(this=exp.column(where, table="visit").eq(1), true=value)
     return exp.alias_(exp.Max(this=exp.Case(ifs=[chosen])), alias)
 
 

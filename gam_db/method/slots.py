@@ -71,7 +71,9 @@ def outside(setting: Parameters, above: exp.Expr | None = None) -> exp.Expr:
 
 def all_present(setting: Parameters) -> exp.Expr:
     """Return the condition that every coordinate is there."""
-    return exp.and_(*(template.fill("embedding/known", {"code": code}) for code in coordinates(setting)))
+    return exp.and_(
+        *(template.fill("embedding/present", {"code": code}) for code in coordinates(setting))
+    )
 
 
 def cell_key(
@@ -127,7 +129,7 @@ _FOLLOWS: Mapping[str, Callable[[Parameters], template.Slot]] = {
     "long_ago": lambda _: LONG_AGO,
     "code": code_of,
     "coordinates": coordinates,
-    "known": all_present,
+    "is_present": all_present,
     "cell_key": cell_key,
     "block_no": block_no,
     "outside": outside,

@@ -141,12 +141,12 @@ def add_earlier(set_steps: OfSet, prefix: str, samples: str, delays: Sequence[in
     ran = [column.name for column in numbers(set_steps)]
     codes, _, _ = add_last_codes(set_steps, prefix, ["calibrating", "value", *ran])
     has_gap = set_steps.method.gaps[set_steps.number] is not None
-    over, values = _earlier(exp.column("known_value"), delays, has_gap)
+    over, values = _earlier(exp.column("calibration_value"), delays, has_gap)
     if has_gap and delays:
         over["segment_from"] = _newest(exp.column("breaking").eq(1), max(delays) - 1)
-    program_columns = [exp.alias_(exp.column(name, table="placed"), name) for name in ran]
+    program_columns = [exp.alias_(exp.column(name, table="delay_vector"), name) for name in ran]
     probed: dict[str, template.Slot] = {
-        "told": [*[exp.column("breaking")] * (has_gap and bool(delays)), *numbers(set_steps)],
+        "sample_columns": [*[exp.column("breaking")] * (has_gap and bool(delays)), *numbers(set_steps)],
         "delayed": [*_named(over), *numbers(set_steps)],
         "reached": [*values, *program_columns],
     }
@@ -222,7 +222,7 @@ def movement(
     """
     begins = {} if breaking is None else {"breaking": breaking}
     return {
-        "told": [*carried, *_named(begins)],
+        "sample_columns": [*carried, *_named(begins)],
         "begins": exp.false() if breaking is None else breaking.eq(1),
         "previous_value": _before("value", 1, rows),
         "moved_at": _newest(exp.column("moving").eq(1), max(still_after - 2, 0), rows),
@@ -251,12 +251,12 @@ def stream_slots(
         segment_columns, whole = _in_segment(setting, setting.span, rows=1)
         over |= segment_columns
     if delays:
-        value = template.fill("streams/known_value")
+        value = template.fill("streams/calibration_value")
         earlier, values = _earlier(value, delays[1:], stream.gap is not None, rows=1)
         over |= {"x_0": value, **earlier}
         columns += [exp.column("x_0"), *values]
     return {
-        "known": all_present(setting) if stream.lacks else exp.true(),
+        "is_present": all_present(setting) if stream.lacks else exp.true(),
         "whole": whole,
         "cell_key": cell_key(setting, "streams/cell_term"),
         "coordinates": columns,

@@ -98,7 +98,7 @@ def read(
         study.load("wanted_pieces", pa.Table.from_pylist(pieces_wanted))
         study.steps.add("envelope", filled("report/envelope"))
         slots: dict[str, template.Slot] = {"most": PIECE}
-        for slot, of in (("programs", "sampled"), ("carried", "placed")):
+        for slot, of in (("programs", "sampled"), ("carried", "nearby")):
             program = exp.alias_(exp.column("program", table=of), "program")
             slots[slot] = [program] * (study.method.programs is not None)
         study.steps.add("pieces", filled("report/pieces", slots))

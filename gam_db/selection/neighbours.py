@@ -96,7 +96,7 @@ def add_dimensions(steps: Pipeline, search: Search, usable: int, waiting: Waitin
                 "distance": exp.column(metric, table="pair"),
                 "neighbour": exp.column(f"{metric}_place", table="pair"),
             }
-            tables = {"found": neighbours, "probes": f"probes_{d}"}
+            tables = {"neighbours": neighbours, "probes": f"probes_{d}"}
             add(steps, "selection/followed", slots, followed, tables)
             steps.small |= {followed}
             if metric == "square":
@@ -210,7 +210,7 @@ def _add_round(
 
     def measure(name: str, probed: str, settled: int) -> None:
         measured_slots = {**slots, "settled": settled}
-        add(steps, "selection/measured", measured_slots, name, {**shared, "asked": probed})
+        add(steps, "selection/measured", measured_slots, name, {**shared, "sought": probed})
 
     measure(f"measured_{size}", sought, settled=0)
     tables = {"unsettled": sought, "measured": f"measured_{size}"}

@@ -99,7 +99,7 @@ def undated(source: AnySource, relation: exp.Expr, micros_of: TimeNode) -> exp.Q
     if clock is not None:
         pieces = clock.pieces()
         shift = by_time(
-            exp.column("clock_time", table="told"),
+            exp.column("clock_time", table="clock"),
             pieces,
             lambda piece: TWICE if piece.is_twice else piece.shift,
         )

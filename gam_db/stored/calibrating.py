@@ -293,7 +293,7 @@ def _learn(
     local = {name_of(row): row for row in running.rows("channels")}
     channel_ids = {
         name_of(row): row["channel_id"]
-        for row in state.rows("stored/state/known_channels", {"monitor_id": monitor["monitor_id"]})
+        for row in state.rows("stored/state/monitor_channels", {"monitor_id": monitor["monitor_id"]})
     }
     last, method, programs = draft.last, method_hash(), study.method.programs
     numbering: list[Row] = []

@@ -158,7 +158,7 @@ def scored(
     """
     grouped = visited_slots(setting, ends, trusting=True) | {"outside": is_outside(setting)}
     vectors = _scored_vectors(channel, setting, bits, stream, list(ends or ()))
-    return _over(filled("health/visited", grouped), "placed", vectors)
+    return _over(filled("health/visited", grouped), "scored_vectors", vectors)
 
 
 def window_counts(channel: ChannelSlots, setting: Parameters, bits: Bits, stream: Stream) -> exp.Query:
@@ -170,7 +170,7 @@ def window_counts(channel: ChannelSlots, setting: Parameters, bits: Bits, stream
     running = of_channel("running", channel, outside=is_outside(setting), span=setting.span)
     before = novel_before(setting, "streams/delayed")
     counts = filled("health/window_counts", {"window": setting.window, "novel_before": before})
-    return _over(counts, "numbered", _over(running, "placed", vectors))
+    return _over(counts, "numbered", _over(running, "scored_vectors", vectors))
 
 
 def still_since(channel: ChannelSlots, setting: Parameters, stream: Stream) -> exp.Query:
@@ -197,7 +197,7 @@ def _scored_vectors(
         first = template.fill("streams/scored", {"first_scored": channel["first_scored"]})
         slots["counted"] = exp.and_(template.fill("streams/counts"), first)
     vectors = _vectors(channel, setting, "context_time" in carried, stream)
-    return _over(of_channel("placed", channel, **slots), "streamed", vectors)
+    return _over(of_channel("scored_vectors", channel, **slots), "streamed", vectors)
 
 
 def _vectors(

@@ -114,7 +114,7 @@ class Streams:
             before = max(quota - self._reach(row), 0)
             first = earliest[name_of(row)]
             figures = {"samples": row["readings"], "first_time": first}
-            series.append(channel_slots(row, before=before, asked=quota - before, **figures))
+            series.append(channel_slots(row, before=before, sample_count=quota - before, **figures))
         self._give("series", partial(of_channel, "series"), series, "channel_id")
         self._replace("timeline", filled("census/trusted_timeline"), {"cohort": "channels"})
         reached = {row["channel_id"]: row["read_from"] for row in running.rows("series")}

@@ -1,6 +1,6 @@
 -- Chances: p(k), the chance that a cell of k blocks lies wholly within g of a block of its own (alarms, section 3), for
 -- each k of a channel's cells. Beyond 2 g + 1 blocks no cell can.
--- Reads:  block_sizes, own_cells
+-- Reads:  block_sizes, exclusive_cells
 -- A row:  one number of blocks of one channel; chance_units is p(k) in units of 2^-30, so that sums are sums of integers.
 -- Slots:  :g
 --         :most     2 g + 1
@@ -23,7 +23,7 @@ FROM (
     SELECT
       counted.channel_id AS channel_id,
       counted.blocks AS blocks,
-      own.visited_blocks AS visited_blocks,
+      cell_count.visited_blocks AS visited_blocks,
       CASE WHEN counted.block < :g THEN counted.block ELSE :g END
         + CASE
           WHEN counted.blocks - 1 - counted.block < :g THEN counted.blocks - 1 - counted.block
@@ -36,8 +36,8 @@ FROM (
         CAST(COUNT(*) OVER (PARTITION BY channel_id) AS BIGINT) AS blocks
       FROM block_sizes
     ) AS counted
-    JOIN own_cells AS own ON own.channel_id = counted.channel_id
-    WHERE own.visited_blocks <= :most
-  ) AS placed
+    JOIN exclusive_cells AS cell_count ON cell_count.channel_id = counted.channel_id
+    WHERE cell_count.visited_blocks <= :most
+  ) AS near_range
 ) AS near
 GROUP BY near.channel_id, near.visited_blocks

@@ -3,8 +3,8 @@
 -- A row:  one height of one family under which there is an episode.
 SELECT
   member.family_no AS family_no,
-  found.limit_no AS quarters,
+  episode.limit_no AS quarters,
   CAST(COUNT(*) AS BIGINT) AS episodes
-FROM merged_replay AS found
-JOIN members AS member ON member.channel_id = found.channel_id
-GROUP BY member.family_no, found.limit_no
+FROM merged_replay AS episode
+JOIN members AS member ON member.channel_id = episode.channel_id
+GROUP BY member.family_no, episode.limit_no

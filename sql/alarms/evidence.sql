@@ -11,8 +11,8 @@ SELECT
   root,
   reference,
   height,
-  known_open,
-  known_zero,
+  prior_open,
+  prior_zero,
   risen - CASE WHEN judgement_no - first_near <= 49 AND least_risen > 0 THEN 0 ELSE least_risen END
     AS evidence
 FROM (
@@ -24,8 +24,8 @@ FROM (
     root,
     reference,
     height,
-    known_open,
-    known_zero,
+    prior_open,
+    prior_zero,
     risen,
     MIN(judgement_no) OVER (
       PARTITION BY channel_id, limit_no, judged_from
@@ -46,8 +46,8 @@ FROM (
       root,
       reference,
       height,
-      known_open,
-      known_zero,
+      prior_open,
+      prior_zero,
       CAST(
         SUM(CASE WHEN root - reference > cap THEN cap ELSE root - reference END) OVER (
           PARTITION BY channel_id, limit_no, judged_from

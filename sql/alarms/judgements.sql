@@ -5,18 +5,18 @@
 SELECT
   named.asset AS asset,
   named.channel AS channel,
-  said.judgement_no AS judgement,
+  judgement_row.judgement_no AS judgement,
   :first_time AS first_time,
   :last_time AS last_time,
   CAST(counted.novel AS BIGINT) AS novel,
-  CAST(said.root AS BIGINT) AS root,
-  CAST(said.reference AS BIGINT) AS reference,
-  CAST(said.height AS BIGINT) AS height,
-  CAST(said.evidence AS BIGINT) AS evidence,
-  CAST(said.is_open AS BIGINT) AS is_open,
-  CAST(said.last_zero AS BIGINT) AS last_zero
-FROM opened AS said
+  CAST(judgement_row.root AS BIGINT) AS root,
+  CAST(judgement_row.reference AS BIGINT) AS reference,
+  CAST(judgement_row.height AS BIGINT) AS height,
+  CAST(judgement_row.evidence AS BIGINT) AS evidence,
+  CAST(judgement_row.is_open AS BIGINT) AS is_open,
+  CAST(judgement_row.last_zero AS BIGINT) AS last_zero
+FROM opened AS judgement_row
 JOIN judged_windows AS counted
-  ON counted.channel_id = said.channel_id AND counted.judgement_no = said.judgement_no
-JOIN channels AS named ON named.channel_id = said.channel_id
-ORDER BY named.asset, named.channel, said.judgement_no
+  ON counted.channel_id = judgement_row.channel_id AND counted.judgement_no = judgement_row.judgement_no
+JOIN channels AS named ON named.channel_id = judgement_row.channel_id
+ORDER BY named.asset, named.channel, judgement_row.judgement_no

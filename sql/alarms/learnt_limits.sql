@@ -12,10 +12,10 @@ SELECT
   learnt.hi_limit AS hi_limit,
   scale.window_length AS window_length,
   CAST(:g AS BIGINT) AS g,
-  CASE WHEN told.hit = 1 THEN told.blocks ELSE 0 END AS blocks,
-  CASE WHEN told.hit = 1 THEN told.largest - told.least END AS extent,
-  CASE WHEN told.hit = 1 THEN told.centre END AS centre,
-  CASE WHEN told.hit = 1 THEN told.spread END AS spread,
+  CASE WHEN block_spread.hit = 1 THEN block_spread.blocks ELSE 0 END AS blocks,
+  CASE WHEN block_spread.hit = 1 THEN block_spread.largest - block_spread.least END AS extent,
+  CASE WHEN block_spread.hit = 1 THEN block_spread.centre END AS centre,
+  CASE WHEN block_spread.hit = 1 THEN block_spread.spread END AS spread,
   CASE WHEN ordered.hit = 1 THEN ordered.order_ratio END AS order_ratio,
   CASE WHEN lasting.hit = 1 THEN lasting.length ELSE 0 END AS calibration_length,
   CASE WHEN taught.hit = 1 THEN taught.vectors ELSE 0 END AS vectors
@@ -26,7 +26,7 @@ LEFT JOIN (
   SELECT channel_id, blocks, least, largest, centre, spread, 1 AS hit
   FROM spreads
   WHERE g = :g
-) AS told ON told.channel_id = named.channel_id
+) AS block_spread ON block_spread.channel_id = named.channel_id
 LEFT JOIN (
   SELECT channel_id, order_ratio, 1 AS hit
   FROM order_ratios

@@ -10,7 +10,7 @@ SELECT
   blocks,
   CAST(
     FLOOR(
-      (CAST(1000 * (own_root - centre) AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(spread AS DOUBLE)
+      (CAST(1000 * (block_root - centre) AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(spread AS DOUBLE)
     ) AS BIGINT
   ) AS root
 FROM (
@@ -18,37 +18,39 @@ FROM (
     channel_id,
     family_no,
     block,
-    own_root,
+    block_root,
     blocks,
     :centre AS centre,
     :spread AS spread
   FROM (
     SELECT
-      told.channel_id AS channel_id,
+      member_spread.channel_id AS channel_id,
       member.family_no AS family_no,
-      own.block AS block,
-      own.root AS own_root,
-      told.least AS least,
-      told.blocks - CAST(COUNT(*) AS BIGINT) AS blocks,
-      told.total - CAST(SUM(near.root - told.least) AS BIGINT) AS total,
-      told.squares - CAST(
-        SUM((near.root - told.least) * (near.root - told.least)) AS BIGINT
+      member_block.block AS block,
+      member_block.root AS block_root,
+      member_spread.least AS least,
+      member_spread.blocks - CAST(COUNT(*) AS BIGINT) AS blocks,
+      member_spread.total - CAST(SUM(near.root - member_spread.least) AS BIGINT) AS total,
+      member_spread.squares - CAST(
+        SUM((near.root - member_spread.least) * (near.root - member_spread.least)) AS BIGINT
       ) AS squares
     FROM members AS member
-    JOIN spreads AS told ON told.channel_id = member.channel_id AND told.g = member.g
-    JOIN block_roots AS own ON own.channel_id = told.channel_id AND own.g = told.g
+    JOIN spreads AS member_spread ON member_spread.channel_id = member.channel_id AND member_spread.g = member.g
+    JOIN block_roots AS member_block
+      ON member_block.channel_id = member_spread.channel_id
+      AND member_block.g = member_spread.g
     JOIN block_roots AS near
-      ON near.channel_id = own.channel_id
-      AND near.g = own.g
-      AND near.block BETWEEN own.block - own.g AND own.block + own.g
+      ON near.channel_id = member_block.channel_id
+      AND near.g = member_block.g
+      AND near.block BETWEEN member_block.block - member_block.g AND member_block.block + member_block.g
     GROUP BY
-      told.channel_id,
+      member_spread.channel_id,
       member.family_no,
-      own.block,
-      own.root,
-      told.least,
-      told.blocks,
-      told.total,
-      told.squares
+      member_block.block,
+      member_block.root,
+      member_spread.least,
+      member_spread.blocks,
+      member_spread.total,
+      member_spread.squares
   ) AS reduced
 ) AS scaled

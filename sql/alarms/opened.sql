@@ -56,8 +56,8 @@ FROM (
         evidence,
         MAX(
           CASE
-            WHEN known_open = 1 THEN judgement_no
-            WHEN known_open < 0 AND evidence >= height AND is_raised = 1 THEN judgement_no
+            WHEN prior_open = 1 THEN judgement_no
+            WHEN prior_open < 0 AND evidence >= height AND is_raised = 1 THEN judgement_no
           END
         ) OVER (
           PARTITION BY channel_id, limit_no
@@ -66,8 +66,8 @@ FROM (
         ) AS last_up,
         MAX(
           CASE
-            WHEN known_open = 0 THEN judgement_no
-            WHEN known_open < 0 AND is_raised = 0 AND was_raised = 0 AND was_raised_before = 0
+            WHEN prior_open = 0 THEN judgement_no
+            WHEN prior_open < 0 AND is_raised = 0 AND was_raised = 0 AND was_raised_before = 0
               THEN judgement_no
           END
         ) OVER (
@@ -77,7 +77,7 @@ FROM (
         ) AS last_down,
         MAX(
           CASE
-            WHEN known_open >= 0 THEN known_zero
+            WHEN prior_open >= 0 THEN prior_zero
             WHEN evidence = 0 OR (height = 1 AND is_raised = 0) THEN judgement_no
             WHEN judged_from > 0 THEN judged_from - 1
           END
@@ -95,8 +95,8 @@ FROM (
           root,
           reference,
           height,
-          known_open,
-          known_zero,
+          prior_open,
+          prior_zero,
           evidence,
           is_raised,
           LAG(is_raised, 1) OVER (PARTITION BY channel_id, limit_no ORDER BY judgement_no) AS was_raised,
@@ -111,13 +111,13 @@ FROM (
             root,
             reference,
             height,
-            known_open,
-            known_zero,
+            prior_open,
+            prior_zero,
             evidence,
             CASE WHEN root > reference THEN 1 ELSE 0 END AS is_raised
           FROM evidence
         ) AS compared
       ) AS lagged
-    ) AS known
-  ) AS told
-) AS placed
+    ) AS turns
+  ) AS states
+) AS openings

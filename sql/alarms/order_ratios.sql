@@ -1,6 +1,6 @@
 -- Order ratios: is calibration a fair sample of what follows? The vectors in cells that stay near one block, by how many
 -- there would be were blocks in random order (alarms, section 3), in thousandths, rounded half up.
--- Reads:  buffered, own_cells, chances
+-- Reads:  buffered, exclusive_cells, chances
 -- A row:  one channel.
 -- Slots:  :g
 SELECT
@@ -23,12 +23,12 @@ FROM (
 ) AS seen
 LEFT JOIN (
   SELECT
-    own.channel_id AS channel_id,
-    CAST(CAST(SUM(own.visits * likely.chance_units) AS BIGINT) AS DOUBLE)
+    cell_count.channel_id AS channel_id,
+    CAST(CAST(SUM(cell_count.visits * likely.chance_units) AS BIGINT) AS DOUBLE)
       / CAST(1073741824 AS DOUBLE) AS visits,
     1 AS hit
-  FROM own_cells AS own
+  FROM exclusive_cells AS cell_count
   JOIN chances AS likely
-    ON likely.channel_id = own.channel_id AND likely.visited_blocks = own.visited_blocks
-  GROUP BY own.channel_id
+    ON likely.channel_id = cell_count.channel_id AND likely.visited_blocks = cell_count.visited_blocks
+  GROUP BY cell_count.channel_id
 ) AS awaited ON awaited.channel_id = seen.channel_id

@@ -10,7 +10,7 @@ SELECT
   250 * tried.quarters AS height,
   CAST(FLOOR(CAST(250 * tried.quarters + 1 AS DOUBLE) / CAST(2 AS DOUBLE)) AS BIGINT) AS cap,
   0 AS judged_from,
-  -1 AS known_open,
-  CAST(NULL AS BIGINT) AS known_zero
+  -1 AS prior_open,
+  CAST(NULL AS BIGINT) AS prior_zero
 FROM left_out AS again
 CROSS JOIN heights AS tried

@@ -11,7 +11,7 @@ SELECT
   frozen.height AS height,
   frozen.cap AS cap,
   0 AS judged_from,
-  -1 AS known_open,
-  CAST(NULL AS BIGINT) AS known_zero
+  -1 AS prior_open,
+  CAST(NULL AS BIGINT) AS prior_zero
 FROM judged_windows AS judged
 JOIN frozen_limits AS frozen ON frozen.channel_id = judged.channel_id

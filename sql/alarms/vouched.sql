@@ -10,7 +10,7 @@ SELECT
   block,
   band,
   reach,
-  CAST(SUM(placed.visits) AS BIGINT) AS visits
+  CAST(SUM(band_reach.visits) AS BIGINT) AS visits
 FROM (
   SELECT
     size.channel_id AS channel_id,
@@ -30,6 +30,6 @@ FROM (
   ) AS cell ON cell.support_id = visit.support_id AND cell.cell_key = visit.cell_key
   JOIN block_sizes AS size ON size.channel_id = visit.channel_id AND size.block_no = visit.block_no
   JOIN bounds AS scale ON scale.channel_id = visit.channel_id
-) AS placed
+) AS band_reach
 WHERE reach <= :far
 GROUP BY channel_id, block, band, reach

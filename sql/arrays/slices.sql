@@ -10,9 +10,9 @@ SELECT
   CAST(slice_no AS BIGINT) AS slice_no,
   CAST(length(piece) AS BIGINT) - CASE WHEN slice_no = 1 THEN without_time ELSE 0 END AS readings,
   CASE WHEN slice_no = 1 THEN without_time ELSE 0 END AS without_time,
-  CAST(length(piece) - length(known) AS BIGINT) AS missing_readings,
-  arrayReduce('minOrNull', known) AS lowest,
-  arrayReduce('maxOrNull', known) AS highest,
+  CAST(length(piece) - length(present) AS BIGINT) AS missing_readings,
+  arrayReduce('minOrNull', present) AS lowest,
+  arrayReduce('maxOrNull', present) AS highest,
   piece[1] AS earliest,
   piece[-1] AS latest
 FROM (
@@ -22,7 +22,7 @@ FROM (
     without_time,
     slice_no,
     piece,
-    arrayFilter(value -> NOT isNaN(value), sampled) AS known
+    arrayFilter(value -> NOT isNaN(value), sampled) AS present
   FROM (
     SELECT
       asset,

@@ -6,19 +6,19 @@
 -- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing; position
 --         counts the samples from the first one that is read.
 -- Slots:  :time_from, :time_to  the instants of a channel that are read
---         :span     (m-1) * tau, the samples between oldest and newest
---         :code     the expression of support/code.sql, cast to the narrowest integer that holds it
---         :delayed  code_0 ... code_(m-1), the arrays of the coordinates
---         :coordinates  their names
---         :known    all coordinates are there
---         :cell_key the mixed-radix integer of the coordinates
---         :outside  a coordinate lies outside the calibrated range
---         :read     which channels are read
+--         :span                 (m-1) * tau, the samples between oldest and newest
+--         :code                 the expression of support/code.sql, cast to the narrowest integer that holds it
+--         :delayed              code_0 ... code_(m-1), the arrays of the coordinates
+--         :coordinates          their names
+--         :is_present           all coordinates are there
+--         :cell_key             the mixed-radix integer of the coordinates
+--         :outside              a coordinate lies outside the calibrated range
+--         :read                 which channels are read
 SELECT
   channel_id,
   support_id,
   time,
-  CASE WHEN :known THEN :cell_key END AS cell_key,
+  CASE WHEN :is_present THEN :cell_key END AS cell_key,
   CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
   :span + position AS position,
   time AS context_time,

@@ -17,5 +17,5 @@ FROM (
   SELECT vector.support_id AS support_id, :coarse_key AS cell_key, vector.block AS block, vector.part AS part
   FROM learnt AS vector
   JOIN coarser AS good ON good.support_id = vector.support_id
-) AS placed
+) AS coarse_cell
 GROUP BY support_id, cell_key

@@ -9,7 +9,7 @@ SELECT
   vector.support_id AS support_id,
   vector.number AS number,
   vector.block AS block,
-  placed.x_0 AS x_0,
+  delay_vector.x_0 AS x_0,
   :reached
 FROM (
   SELECT channel_id, time, piece, value AS x_0, :delayed
@@ -21,8 +21,8 @@ FROM (
       held.value AS value
     FROM sampled AS held
     JOIN learners AS learner ON learner.channel_id = held.channel_id
-    JOIN taught_passing AS own ON own.channel_id = learner.learner_id
+    JOIN taught_passing AS teacher ON teacher.channel_id = learner.learner_id
     WHERE learner.delay_no = :delay_no
   ) AS plain
-) AS placed
-JOIN picked AS vector ON vector.channel_id = placed.channel_id AND vector.time = placed.time
+) AS delay_vector
+JOIN picked AS vector ON vector.channel_id = delay_vector.channel_id AND vector.time = delay_vector.time

@@ -6,7 +6,7 @@
 SELECT
   good.support_id AS support_id,
   good.level AS level,
-  CAST(CASE WHEN told.hit = 1 THEN told.score ELSE 0 END AS BIGINT) AS score
+  CAST(CASE WHEN grid_score.hit = 1 THEN grid_score.score ELSE 0 END AS BIGINT) AS score
 FROM passing AS good
 LEFT JOIN (
   SELECT
@@ -22,10 +22,11 @@ LEFT JOIN (
       level,
       CASE
         WHEN novel = 0 THEN CAST(0 AS BIGINT)
-        WHEN CAST(500 AS DOUBLE) * CAST(novel AS DOUBLE) / NULLIF(CAST(asked AS DOUBLE) * hi_limit, CAST(0 AS DOUBLE))
+        WHEN CAST(500 AS DOUBLE) * CAST(novel AS DOUBLE)
+          / NULLIF(CAST(changed_vectors AS DOUBLE) * hi_limit, CAST(0 AS DOUBLE))
           < CAST(1000 AS DOUBLE)
           THEN CAST(
-            FLOOR(CAST(500 AS DOUBLE) * CAST(novel AS DOUBLE) / (CAST(asked AS DOUBLE) * hi_limit)) AS BIGINT
+            FLOOR(CAST(500 AS DOUBLE) * CAST(novel AS DOUBLE) / (CAST(changed_vectors AS DOUBLE) * hi_limit)) AS BIGINT
           )
         ELSE CAST(1000 AS BIGINT)
       END AS points
@@ -35,7 +36,7 @@ LEFT JOIN (
         moved.level AS level,
         moved.change_no AS change_no,
         MIN(moved.hi_limit) AS hi_limit,
-        CAST(COUNT(*) AS BIGINT) AS asked,
+        CAST(COUNT(*) AS BIGINT) AS changed_vectors,
         CAST(
           SUM(
             CASE
@@ -68,5 +69,5 @@ LEFT JOIN (
     ) AS counted
   ) AS pointed
   GROUP BY support_id, level
-) AS told ON told.support_id = good.support_id AND told.level = good.level
+) AS grid_score ON grid_score.support_id = good.support_id AND grid_score.level = good.level
 ORDER BY good.support_id, good.level

@@ -3,12 +3,12 @@
 -- Reads:  taught_before, passing, learners
 -- A row:  one learner.
 SELECT
-  own.channel_id AS channel_id,
-  own.vectors * learner.thinning AS vectors,
-  own.vectors_before AS vectors_before
-FROM taught_before AS own
-JOIN learners AS learner ON learner.learner_id = own.channel_id
+  teacher.channel_id AS channel_id,
+  teacher.vectors * learner.thinning AS vectors,
+  teacher.vectors_before AS vectors_before
+FROM taught_before AS teacher
+JOIN learners AS learner ON learner.learner_id = teacher.channel_id
 JOIN (
   SELECT DISTINCT support_id
   FROM passing
-) AS good ON good.support_id = own.support_id
+) AS good ON good.support_id = teacher.support_id

@@ -5,12 +5,12 @@
 SELECT
   channel_id,
   code,
-  known_value AS value,
+  calibration_value AS value,
   piece,
   CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY time) AS BIGINT) - 1 AS place,
   CAST(COUNT(*) OVER (PARTITION BY channel_id) AS BIGINT) AS samples
 FROM (
-  SELECT channel_id, time, code, CASE WHEN code > 0 THEN value END AS known_value, calibrating, :piece AS piece
+  SELECT channel_id, time, code, CASE WHEN code > 0 THEN value END AS calibration_value, calibrating, :piece AS piece
   FROM codes
 ) AS marked
 WHERE calibrating = 1

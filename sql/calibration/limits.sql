@@ -18,17 +18,17 @@ FROM (
   SELECT
     named.channel_id AS channel_id,
     named.calibration_no AS calibration_no,
-    given.score_from AS score_from,
+    chosen_rule.score_from AS score_from,
     CASE
-      WHEN given.declared_end IS NULL THEN extent.first_time
+      WHEN chosen_rule.declared_end IS NULL THEN extent.first_time
       ELSE CAST(:long_ago AS BIGINT)
     END AS calibration_from,
     CASE
-      WHEN given.fraction IS NOT NULL THEN extent.quota_time
-      WHEN given.duration IS NOT NULL THEN extent.first_time + given.duration
-      ELSE given.declared_end
+      WHEN chosen_rule.fraction IS NOT NULL THEN extent.quota_time
+      WHEN chosen_rule.duration IS NOT NULL THEN extent.first_time + chosen_rule.duration
+      ELSE chosen_rule.declared_end
     END AS calibration_end
   FROM channels AS named
   JOIN series AS extent ON extent.channel_id = named.channel_id
-  JOIN rules AS given ON given.calibration_no = named.calibration_no
+  JOIN rules AS chosen_rule ON chosen_rule.calibration_no = named.calibration_no
 ) AS resolved

@@ -56,16 +56,16 @@ FROM (
           ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW
         ) AS BIGINT
       ) - part.readings AS samples_before,
-      CAST(FLOOR(given.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) AS quota,
+      CAST(FLOOR(chosen_rule.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) AS quota,
       CASE
-        WHEN given.duration IS NOT NULL
-          THEN MIN(part.earliest) OVER (PARTITION BY named.channel_id) + given.duration
-        ELSE given.declared_end
+        WHEN chosen_rule.duration IS NOT NULL
+          THEN MIN(part.earliest) OVER (PARTITION BY named.channel_id) + chosen_rule.duration
+        ELSE chosen_rule.declared_end
       END AS calibration_end,
-      given.score_from AS score_from
+      chosen_rule.score_from AS score_from
     FROM slices AS part
     JOIN channels AS named ON named.asset = part.asset AND named.channel = part.channel
-    JOIN rules AS given ON given.calibration_no = named.calibration_no
+    JOIN rules AS chosen_rule ON chosen_rule.calibration_no = named.calibration_no
     WHERE part.readings > 0
   ) AS ranked
 ) AS reached

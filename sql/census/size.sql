@@ -5,7 +5,7 @@
 -- Slots:  :most  rows that are counted
 SELECT CAST(COUNT(*) AS BIGINT) AS readings
 FROM (
-  SELECT 1 AS one
+  SELECT 1 AS hit
   FROM readings
   LIMIT :most
 ) AS counted

@@ -7,14 +7,14 @@
 -- Slots:  :target_floor
 --         :least_vectors  calibration vectors below which a floor promises nothing
 SELECT
-  known.support_id AS support_id,
-  known.vectors AS vectors,
+  support_spread.support_id AS support_id,
+  support_spread.vectors AS vectors,
   CASE
     WHEN ahead.hit = 1 AND ahead.needed_total > CAST(:least_vectors AS DOUBLE) THEN ahead.needed_total
-    WHEN known.vectors < :least_vectors THEN CAST(:least_vectors AS DOUBLE)
+    WHEN support_spread.vectors < :least_vectors THEN CAST(:least_vectors AS DOUBLE)
     WHEN ahead.hit = 1 THEN ahead.needed_total
   END AS needed_total
-FROM spread AS known
+FROM spread AS support_spread
 LEFT JOIN (
   SELECT
     support_id,
@@ -39,4 +39,4 @@ LEFT JOIN (
       AND half.pool_block
         = CAST(FLOOR(CAST(whole.blocks AS DOUBLE) / CAST(2 AS DOUBLE)) AS BIGINT) - 1
   ) AS halves
-) AS ahead ON ahead.support_id = known.support_id
+) AS ahead ON ahead.support_id = support_spread.support_id

@@ -13,7 +13,7 @@ SELECT
   scale.highest_dropped AS highest_dropped,
   CAST(extent.samples AS BIGINT) AS samples,
   CAST(scale.calibration_samples AS BIGINT) AS calibration_samples,
-  CAST(CASE WHEN own.hit = 1 THEN own.vectors ELSE 0 END AS BIGINT) AS calibration_vectors,
+  CAST(CASE WHEN channel_blocks.hit = 1 THEN channel_blocks.vectors ELSE 0 END AS BIGINT) AS calibration_vectors,
   learnt.cells AS cells,
   CAST(CASE WHEN incomplete.hit = 1 THEN incomplete.missing_vectors ELSE 0 END AS BIGINT)
     AS missing_vectors,
@@ -54,7 +54,7 @@ LEFT JOIN (
   SELECT channel_id, CAST(SUM(part.vectors) AS BIGINT) AS vectors, 1 AS hit
   FROM blocks AS part
   GROUP BY channel_id
-) AS own ON own.channel_id = named.channel_id
+) AS channel_blocks ON channel_blocks.channel_id = named.channel_id
 LEFT JOIN (
   SELECT channel_id, missing_vectors, 1 AS hit
   FROM missing_vectors

@@ -9,15 +9,15 @@ SELECT
   named.channel AS channel,
   CAST(named.readings + named.without_time AS BIGINT) AS readings,
   CAST(named.without_time AS BIGINT) AS without_time,
-  CASE WHEN known.hit = 1 THEN known.settings_no END AS settings_no,
-  CASE WHEN known.hit = 1 THEN known.samples END AS samples,
-  CASE WHEN known.hit = 1 THEN named.readings - known.samples END AS repeated,
-  CASE WHEN known.hit = 1 THEN CAST(known.conflicts AS BIGINT) END AS conflicts,
-  CASE WHEN known.hit = 1 THEN known.missing END AS missing,
-  CASE WHEN known.hit = 1 THEN known.first_time END AS first_tick,
-  CASE WHEN known.hit = 1 THEN known.last_time END AS last_tick,
-  CASE WHEN known.hit = 1 THEN :first_time END AS first_time,
-  CASE WHEN known.hit = 1 THEN :last_time END AS last_time,
+  CASE WHEN figures.hit = 1 THEN figures.settings_no END AS settings_no,
+  CASE WHEN figures.hit = 1 THEN figures.samples END AS samples,
+  CASE WHEN figures.hit = 1 THEN named.readings - figures.samples END AS repeated,
+  CASE WHEN figures.hit = 1 THEN CAST(figures.conflicts AS BIGINT) END AS conflicts,
+  CASE WHEN figures.hit = 1 THEN figures.missing END AS missing,
+  CASE WHEN figures.hit = 1 THEN figures.first_time END AS first_tick,
+  CASE WHEN figures.hit = 1 THEN figures.last_time END AS last_tick,
+  CASE WHEN figures.hit = 1 THEN :first_time END AS first_time,
+  CASE WHEN figures.hit = 1 THEN :last_time END AS last_time,
   CASE WHEN spaced.hit = 1 THEN spaced.typical_step END AS typical_step,
   CASE WHEN spaced.hit = 1 THEN spaced.short_step END AS short_step,
   CASE WHEN spaced.hit = 1 THEN spaced.long_step END AS long_step,
@@ -26,14 +26,14 @@ SELECT
   CASE WHEN spaced.hit = 1 THEN spaced.longest_step END AS longest_step,
   CASE WHEN spaced.hit = 1 THEN spaced.shortest_pause END AS shortest_pause,
   CASE WHEN spaced.hit = 1 THEN spaced.longest_pause END AS longest_pause,
-  CASE WHEN known.hit = 1 THEN known.lowest END AS lowest,
-  CASE WHEN known.hit = 1 THEN known.highest END AS highest,
-  CASE WHEN known.hit = 1 THEN known.rises END AS rises,
-  CASE WHEN known.hit = 1 THEN known.falls END AS falls,
-  CASE WHEN known.hit = 1 THEN known.stills END AS stills,
+  CASE WHEN figures.hit = 1 THEN figures.lowest END AS lowest,
+  CASE WHEN figures.hit = 1 THEN figures.highest END AS highest,
+  CASE WHEN figures.hit = 1 THEN figures.rises END AS rises,
+  CASE WHEN figures.hit = 1 THEN figures.falls END AS falls,
+  CASE WHEN figures.hit = 1 THEN figures.stills END AS stills,
   CASE
     WHEN lasting.hit = 1 THEN lasting.longest_still
-    WHEN known.hit = 1 AND known.missing < known.samples THEN 1
+    WHEN figures.hit = 1 AND figures.missing < figures.samples THEN 1
     ELSE 0
   END AS longest_still,
   CASE WHEN levelled.hit = 1 THEN levelled.values_seen ELSE 0 END AS values_seen,
@@ -68,7 +68,7 @@ LEFT JOIN (
   FROM channels AS listed
   JOIN series AS extent ON extent.channel_id = listed.channel_id
   JOIN movements AS movement ON movement.channel_id = listed.channel_id
-) AS known ON known.asset = named.asset AND known.channel = named.channel
+) AS figures ON figures.asset = named.asset AND figures.channel = named.channel
 LEFT JOIN (
   SELECT
     channel_id,
@@ -82,20 +82,20 @@ LEFT JOIN (
     longest_pause,
     1 AS hit
   FROM pauses
-) AS spaced ON spaced.channel_id = known.channel_id
+) AS spaced ON spaced.channel_id = figures.channel_id
 LEFT JOIN (
   SELECT channel_id, longest_still, 1 AS hit FROM longest_stills
-) AS lasting ON lasting.channel_id = known.channel_id
+) AS lasting ON lasting.channel_id = figures.channel_id
 LEFT JOIN (
   SELECT channel_id, values_seen, quantum, 1 AS hit FROM quanta
-) AS levelled ON levelled.channel_id = known.channel_id
+) AS levelled ON levelled.channel_id = figures.channel_id
 LEFT JOIN (
   SELECT channel_id, cycle_length, cycle_strength, 1 AS hit FROM cycles
-) AS cyclic ON cyclic.channel_id = known.channel_id
+) AS cyclic ON cyclic.channel_id = figures.channel_id
 LEFT JOIN (
   SELECT channel_id, calibration_samples, lowest, highest, 1 AS hit FROM calibrated
-) AS healthy ON healthy.channel_id = known.channel_id
+) AS healthy ON healthy.channel_id = figures.channel_id
 LEFT JOIN (
   SELECT channel_id, still_after, calibration_still, still_runs, longest_run, 1 AS hit FROM stood
-) AS stood ON stood.channel_id = known.channel_id
+) AS stood ON stood.channel_id = figures.channel_id
 ORDER BY named.asset, named.channel

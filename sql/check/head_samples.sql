@@ -3,15 +3,15 @@
 -- A row:  one sample; place counts from 0 in its quarter.
 -- Slots:  :longest_sample  the samples of a channel that are looked at
 SELECT
-  placed.channel_id AS channel_id,
-  placed.time AS time,
-  placed.value AS value,
-  placed.lowest AS lowest,
-  placed.highest AS highest,
-  placed.quarter AS quarter,
-  placed.place
+  head.channel_id AS channel_id,
+  head.time AS time,
+  head.value AS value,
+  head.lowest AS lowest,
+  head.highest AS highest,
+  head.quarter AS quarter,
+  head.place
     - CAST(
-      FLOOR(CAST(placed.quarter * placed.head_length + 3 AS DOUBLE) / CAST(4 AS DOUBLE)) AS BIGINT
+      FLOOR(CAST(head.quarter * head.head_length + 3 AS DOUBLE) / CAST(4 AS DOUBLE)) AS BIGINT
     ) AS place
 FROM (
   SELECT
@@ -41,4 +41,4 @@ FROM (
     JOIN movements AS extent ON extent.channel_id = sampled.channel_id
     WHERE sampled.time <= extent.sample_end
   ) AS early
-) AS placed
+) AS head

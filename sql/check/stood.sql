@@ -59,7 +59,7 @@ FROM (
           END AS still_after
         FROM (
           SELECT
-            known.channel_id AS channel_id,
+            channel_row.channel_id AS channel_id,
             edge.calibration_end AS calibration_end,
             CAST(:still_after AS BIGINT) AS still_after,
             CAST(:max_gap AS BIGINT) AS max_gap,
@@ -67,10 +67,10 @@ FROM (
               FLOOR((CAST(:lasting AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(spaced.typical_step AS DOUBLE))
               AS BIGINT
             ) AS lasting
-          FROM channels AS known
-          JOIN movements AS movement ON movement.channel_id = known.channel_id
-          JOIN pauses AS spaced ON spaced.channel_id = known.channel_id
-          JOIN limits AS edge ON edge.channel_id = known.channel_id
+          FROM channels AS channel_row
+          JOIN movements AS movement ON movement.channel_id = channel_row.channel_id
+          JOIN pauses AS spaced ON spaced.channel_id = channel_row.channel_id
+          JOIN limits AS edge ON edge.channel_id = channel_row.channel_id
           WHERE movement.stills > 0
         ) AS settled
       ) AS named ON named.channel_id = sampled.channel_id

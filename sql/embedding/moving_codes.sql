@@ -3,7 +3,7 @@
 -- sample that is still_after - 1 before it, none has moved.
 -- Reads:  codes
 -- A row:  one sample; still = 1 where it stands still.
--- Slots:  :told            what is told of a sample by itself and the one before: the columns that are carried
+-- Slots:  :sample_columns  what is told of a sample by itself and the one before: the columns that are carried
 --         :begins          whether a segment begins with the sample
 --         :previous_value  of the sample before
 --         :moved_at        when the newest sample that moved came
@@ -20,7 +20,7 @@ FROM (
     SELECT
       time,
       code AS marked_code,
-      :told,
+      :sample_columns,
       CASE WHEN :begins THEN 1 WHEN value = :previous_value THEN 0 ELSE 1 END AS moving
     FROM codes
   ) AS compared

@@ -28,26 +28,26 @@ SELECT
 FROM certified AS learnt
 LEFT JOIN (
   SELECT
-    placed.channel_id AS channel_id,
+    history.channel_id AS channel_id,
     1 AS hit,
-    placed.newest_no AS newest_no,
+    history.newest_no AS newest_no,
     CAST(COUNT(*) AS BIGINT) AS buckets,
-    MAX(placed.window_length) AS window_length,
-    MAX(placed.last_time) AS last_time,
-    CAST(SUM(placed.novel) AS BIGINT) AS novel,
+    MAX(history.window_length) AS window_length,
+    MAX(history.last_time) AS last_time,
+    CAST(SUM(history.novel) AS BIGINT) AS novel,
     CAST(
-      SUM(CASE WHEN placed.vectors_back < placed.window_length THEN placed.out_of_range ELSE 0 END) AS BIGINT
+      SUM(CASE WHEN history.vectors_back < history.window_length THEN history.out_of_range ELSE 0 END) AS BIGINT
     ) AS out_of_range,
-    MAX(CASE WHEN placed.vectors_back = 0 THEN placed.novel_in_window END) AS novel_in_window,
-    MAX(CASE WHEN placed.vectors_back = placed.window_length THEN placed.novel_in_window END)
+    MAX(CASE WHEN history.vectors_back = 0 THEN history.novel_in_window END) AS novel_in_window,
+    MAX(CASE WHEN history.vectors_back = history.window_length THEN history.novel_in_window END)
       AS novel_window_before,
-    MAX(placed.novel_in_window) AS most_in_window,
-    MIN(CASE WHEN placed.bucket_no > placed.last_below THEN placed.last_time END) AS since_tick,
+    MAX(history.novel_in_window) AS most_in_window,
+    MIN(CASE WHEN history.bucket_no > history.last_below THEN history.last_time END) AS since_tick,
     MIN(
       CASE
-        WHEN placed.newest_no > placed.last_below
-          AND (placed.bucket_no - placed.last_below - 1) * :stride + placed.window_length > 0
-          THEN placed.first_time
+        WHEN history.newest_no > history.last_below
+          AND (history.bucket_no - history.last_below - 1) * :stride + history.window_length > 0
+          THEN history.first_time
       END
     ) AS window_from_tick
   FROM (
@@ -84,6 +84,6 @@ LEFT JOIN (
       JOIN certified AS learnt ON learnt.channel_id = full_bucket.channel_id
       WHERE full_bucket.last_time IS NOT NULL
     ) AS above
-  ) AS placed
-  GROUP BY placed.channel_id, placed.newest_no
+  ) AS history
+  GROUP BY history.channel_id, history.newest_no
 ) AS shown ON shown.channel_id = learnt.channel_id

@@ -4,16 +4,16 @@
 -- Reads:  new_buckets, bucket_counts
 -- A row:  one bucket.
 SELECT
-  made.channel_id AS channel_id,
-  made.bucket_no AS bucket_no,
-  made.first_time AS first_time,
-  made.last_time AS last_time,
-  made.context_time AS context_time,
-  made.samples AS samples,
-  made.novel AS novel,
-  made.out_of_range AS out_of_range,
+  bucket.channel_id AS channel_id,
+  bucket.bucket_no AS bucket_no,
+  bucket.first_time AS first_time,
+  bucket.last_time AS last_time,
+  bucket.context_time AS context_time,
+  bucket.samples AS samples,
+  bucket.novel AS novel,
+  bucket.out_of_range AS out_of_range,
   counted.novel_in_window AS novel_in_window,
   CAST(counted.window_length AS BIGINT) AS window_length
-FROM new_buckets AS made
+FROM new_buckets AS bucket
 JOIN bucket_counts AS counted
-  ON counted.channel_id = made.channel_id AND counted.bucket_no = made.bucket_no
+  ON counted.channel_id = bucket.channel_id AND counted.bucket_no = bucket.bucket_no

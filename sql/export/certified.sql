@@ -2,7 +2,7 @@
 -- Reads:  stored_channel, stored_bounds
 -- A row:  one channel.
 SELECT
-  known.channel_id AS channel_id,
+  channel_row.channel_id AS channel_id,
   learnt.verdict AS verdict,
   learnt.floor AS floor,
   learnt.floor_sd AS floor_sd,
@@ -23,5 +23,5 @@ SELECT
   learnt.teachers AS vouched_by,
   learnt.taught_by AS taught_by,
   learnt.member_floor AS member_floor
-FROM stored_channel AS known
-JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
+FROM stored_channel AS channel_row
+JOIN stored_bounds AS learnt ON learnt.support_id = channel_row.support_id

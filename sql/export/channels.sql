@@ -2,14 +2,14 @@
 -- Reads:  stored_channel
 -- A row:  one channel.
 SELECT
-  known.channel_id AS channel_id,
-  known.channel_id AS stored_channel_id,
-  known.support_id AS support_id,
-  known.support_id AS stored_support_id,
-  known.asset AS asset,
-  known.channel AS channel,
+  channel_row.channel_id AS channel_id,
+  channel_row.channel_id AS stored_channel_id,
+  channel_row.support_id AS support_id,
+  channel_row.support_id AS stored_support_id,
+  channel_row.asset AS asset,
+  channel_row.channel AS channel,
   0 AS settings_no,
-  known.calibration_no AS calibration_no,
-  known.calibration_end AS calibration_end,
-  known.first_scored AS first_scored
-FROM stored_channel AS known
+  channel_row.calibration_no AS calibration_no,
+  channel_row.calibration_end AS calibration_end,
+  channel_row.first_scored AS first_scored
+FROM stored_channel AS channel_row

@@ -5,33 +5,33 @@
 -- Slots:  :times   last_time and since_time as the source tells time; nothing where it counts
 --         :window  W, in vectors
 SELECT
-  known.asset AS asset,
-  known.channel AS channel,
+  channel_row.asset AS asset,
+  channel_row.channel AS channel,
   learnt.verdict AS verdict,
-  made.status AS status,
-  made.urgency AS urgency,
-  made.needs_attention AS needs_attention,
-  made.is_above AS is_above,
-  made.judged_by AS judged_by,
-  made.is_far_above AS is_far_above,
-  made.strength AS strength,
+  judgement.status AS status,
+  judgement.urgency AS urgency,
+  judgement.needs_attention AS needs_attention,
+  judgement.is_above AS is_above,
+  judgement.judged_by AS judged_by,
+  judgement.is_far_above AS is_far_above,
+  judgement.strength AS strength,
   learnt.floor AS floor,
   learnt.floor_sd AS floor_sd,
   learnt.floor_max AS floor_max,
-  made.hi_limit AS hi_limit,
-  made.limit_reason AS limit_reason,
-  made.hi AS hi,
-  made.hi_highest AS hi_highest,
-  made.novel_in_window AS novel_in_window,
-  made.novel_window_before AS novel_window_before,
-  made.out_of_range_in_window AS out_of_range_in_window,
+  judgement.hi_limit AS hi_limit,
+  judgement.limit_reason AS limit_reason,
+  judgement.hi AS hi,
+  judgement.hi_highest AS hi_highest,
+  judgement.novel_in_window AS novel_in_window,
+  judgement.novel_window_before AS novel_window_before,
+  judgement.out_of_range_in_window AS out_of_range_in_window,
   CAST(:window AS BIGINT) AS window_length,
-  made.bucket AS bucket,
-  made.buckets AS buckets,
-  made.novel_in_buckets AS novel_in_buckets,
+  judgement.bucket AS bucket,
+  judgement.buckets AS buckets,
+  judgement.novel_in_buckets AS novel_in_buckets,
   :times,
-  made.last_tick AS last_tick,
-  made.since_tick AS since_tick,
+  judgement.last_tick AS last_tick,
+  judgement.since_tick AS since_tick,
   learnt.calibration_vectors AS calibration_vectors,
   learnt.cells AS cells,
   learnt.calibrated_lo AS calibrated_lo,
@@ -52,6 +52,6 @@ SELECT
     WHEN learnt.vouched_by = 1 THEN 'not vouched: only ' || learnt.taught_by || ' taught'
     WHEN learnt.vouched_by > 1 THEN 'judged by ' || learnt.taught_by || '; of itself nothing is known'
   END AS vouching
-FROM stored_channel AS known
-JOIN certified AS learnt ON learnt.channel_id = known.channel_id
-JOIN judged AS made ON made.channel_id = known.channel_id
+FROM stored_channel AS channel_row
+JOIN certified AS learnt ON learnt.channel_id = channel_row.channel_id
+JOIN judged AS judgement ON judgement.channel_id = channel_row.channel_id

@@ -4,23 +4,23 @@
 -- A row:  one machine.
 -- Slots:  :times  since_time and last_time as the source tells time; nothing where it counts
 SELECT
-  made.asset AS asset,
-  made.signals AS signals,
-  made.watched AS watched,
-  made.not_watched AS not_watched,
+  machine_row.asset AS asset,
+  machine_row.signals AS signals,
+  machine_row.watched AS watched,
+  machine_row.not_watched AS not_watched,
   counted.judged AS judged,
-  made.above AS above,
+  machine_row.above AS above,
   counted.not_judged AS not_judged,
   :times,
-  made.since_tick AS since_tick,
-  made.first_channel AS first_channel,
-  made.strongest_channel AS strongest_channel,
-  made.strength AS strength,
-  made.urgency AS urgency,
-  made.machine_rank AS machine_rank,
+  machine_row.since_tick AS since_tick,
+  machine_row.first_channel AS first_channel,
+  machine_row.strongest_channel AS strongest_channel,
+  machine_row.strength AS strength,
+  machine_row.urgency AS urgency,
+  machine_row.machine_rank AS machine_rank,
   counted.together AS together,
   counted.last_tick AS last_tick
-FROM machines AS made
+FROM machines AS machine_row
 JOIN (
   SELECT
     signal.asset AS asset,
@@ -31,15 +31,15 @@ JOIN (
   FROM (
     SELECT
       named.asset AS asset,
-      own.is_above AS is_above,
-      own.last_tick AS last_tick,
-      CAST(SUM(CASE WHEN other.since_tick >= own.window_from_tick AND other.since_tick <= own.since_tick
+      signal_row.is_above AS is_above,
+      signal_row.last_tick AS last_tick,
+      CAST(SUM(CASE WHEN other.since_tick >= signal_row.window_from_tick AND other.since_tick <= signal_row.since_tick
         THEN 1 ELSE 0 END) AS BIGINT) AS left_together
-    FROM judged AS own
-    JOIN stored_channel AS named ON named.channel_id = own.channel_id
+    FROM judged AS signal_row
+    JOIN stored_channel AS named ON named.channel_id = signal_row.channel_id
     JOIN stored_channel AS mate ON mate.asset = named.asset
     JOIN judged AS other ON other.channel_id = mate.channel_id
-    GROUP BY named.asset, own.channel_id, own.is_above, own.since_tick, own.last_tick
+    GROUP BY named.asset, signal_row.channel_id, signal_row.is_above, signal_row.since_tick, signal_row.last_tick
   ) AS signal
   GROUP BY signal.asset
-) AS counted ON counted.asset = made.asset
+) AS counted ON counted.asset = machine_row.asset

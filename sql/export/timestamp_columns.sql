@@ -5,6 +5,6 @@
 -- Slots:  :schema  the schema of the source
 --         :table   its name
 --         :column  its time column
-SELECT 1 AS found
+SELECT 1 AS hit
 FROM information_schema.columns
 WHERE table_schema = :schema AND table_name = :table AND column_name = :column AND data_type = 'timestamp'

@@ -3,7 +3,7 @@
 -- Reads:  stored_channel, stored_bounds, stored_block
 -- A row:  one channel.
 SELECT
-  known.channel_id AS channel_id,
+  channel_row.channel_id AS channel_id,
   CASE WHEN others.hit = 1 THEN learnt.member_verdict ELSE learnt.verdict END AS verdict,
   CASE WHEN others.hit = 1 THEN learnt.member_floor ELSE learnt.floor END AS floor,
   CASE WHEN others.hit = 1 THEN learnt.member_floor_sd ELSE learnt.floor_sd END AS floor_sd,
@@ -28,8 +28,8 @@ SELECT
   CASE WHEN others.hit = 1 THEN learnt.teachers END AS vouched_by,
   learnt.taught_by AS taught_by,
   learnt.member_floor AS member_floor
-FROM stored_channel AS known
-JOIN stored_bounds AS learnt ON learnt.support_id = known.support_id
+FROM stored_channel AS channel_row
+JOIN stored_bounds AS learnt ON learnt.support_id = channel_row.support_id
 LEFT JOIN (
   SELECT member.channel_id AS channel_id, 1 AS hit
   FROM stored_channel AS member
@@ -40,4 +40,4 @@ LEFT JOIN (
     GROUP BY support_id, channel_id
   ) AS taught ON taught.support_id = member.support_id AND taught.channel_id = member.channel_id
   WHERE pool.member_verdict IS NOT NULL AND CASE WHEN taught.hit = 1 THEN 1 ELSE 0 END < 1
-) AS others ON others.channel_id = known.channel_id
+) AS others ON others.channel_id = channel_row.channel_id

@@ -2,7 +2,7 @@
 -- cell. What buckets and novel cells need of the scored vectors is read off these few rows. A vector that
 -- is neither novel nor the first or last of its bucket changes none of them, and is dropped before, and so are
 -- samples of a run-up, whose number is none. A bucket has fewer than 2^31 vectors; narrow rows take less room.
--- Reads:  placed
+-- Reads:  scored_vectors
 -- A row:  one novel cell in one bucket, or NULL for its other vectors; closing = 1 if the bucket ends in it.
 -- Slots:  :stride    vectors per bucket
 --         :outside   whether a coordinate lies outside the calibrated range
@@ -16,10 +16,10 @@ SELECT
   bucket_no,
   :cell,
   CAST(COUNT(*) AS INTEGER) AS visits,
-  MIN(kept.time) AS first_time,
-  MAX(kept.time) AS last_time,
-  CAST(SUM(kept.out_of_range) AS INTEGER) AS out_of_range,
-  CAST(MAX(kept.closing) AS SMALLINT) AS closing,
+  MIN(visit.time) AS first_time,
+  MAX(visit.time) AS last_time,
+  CAST(SUM(visit.out_of_range) AS INTEGER) AS out_of_range,
+  CAST(MAX(visit.closing) AS SMALLINT) AS closing,
   :gathered
 FROM (
   SELECT
@@ -31,7 +31,7 @@ FROM (
     :outside AS out_of_range,
     CASE WHEN number % :stride = 0 THEN 1 ELSE 0 END AS closing,
     :carried
-  FROM placed
+  FROM scored_vectors
   WHERE (novel = 1 OR number % :stride <= 1) AND number > 0 OR :needed
-) AS kept
+) AS visit
 GROUP BY channel_id, bucket_no, :part

@@ -67,4 +67,4 @@ FROM (
       :columns
     FROM assessed
   ) AS weighed
-) AS told
+) AS judged_status

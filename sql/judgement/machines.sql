@@ -62,7 +62,7 @@ FROM (
         strength,
         urgency
       FROM signals
-    ) AS known
+    ) AS signal_state
   ) AS member
   GROUP BY member.asset
 ) AS counted

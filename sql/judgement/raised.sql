@@ -3,12 +3,12 @@
 -- Reads:  assessed, limit_reasons, episodes
 -- A row:  one channel; episode is the open one, else the newest that asks, and asking counts those.
 SELECT
-  known.asset AS asset,
-  known.channel AS channel,
-  known.verdict AS verdict,
-  known.hi_limit AS hi_limit,
-  CASE WHEN limited.reason = 'unrepresentative' THEN limited.reason ELSE known.limit_reason END AS limit_reason,
-  known.hi AS hi,
+  assessment.asset AS asset,
+  assessment.channel AS channel,
+  assessment.verdict AS verdict,
+  assessment.hi_limit AS hi_limit,
+  CASE WHEN limited.reason = 'unrepresentative' THEN limited.reason ELSE assessment.limit_reason END AS limit_reason,
+  assessment.hi AS hi,
   CASE WHEN limited.reason IS NULL THEN 1 WHEN limited.reason = 'unrepresentative' THEN 0 ELSE -1 END AS has_limit,
   CASE
     WHEN going.hit = 1
@@ -21,8 +21,8 @@ SELECT
   CASE WHEN going.hit = 1 THEN going.is_open END AS is_open,
   CASE WHEN going.hit = 1 THEN going.onset_time END AS onset,
   CASE WHEN going.hit = 1 THEN going.onset_time END AS since_tick
-FROM assessed AS known
-JOIN limit_reasons AS limited ON limited.asset = known.asset AND limited.channel = known.channel
+FROM assessed AS assessment
+JOIN limit_reasons AS limited ON limited.asset = assessment.asset AND limited.channel = assessment.channel
 LEFT JOIN (
   SELECT
     asset,
@@ -41,4 +41,4 @@ LEFT JOIN (
   FROM episodes
   WHERE is_open = 1 OR is_proving = 1
 ) AS going
-  ON going.asset = known.asset AND going.channel = known.channel AND going.episodes_back = 1
+  ON going.asset = assessment.asset AND going.channel = assessment.channel AND going.episodes_back = 1

@@ -10,10 +10,10 @@ FROM (
     vector.channel_id AS channel_id,
     vector.time AS time,
     size.pool_block AS block,
-    own.vectors_before + vector.place AS number,
-    own.vectors AS vectors
+    teacher.vectors_before + vector.place AS number,
+    teacher.vectors AS vectors
   FROM learnt AS vector
   JOIN block_sizes AS size ON size.channel_id = vector.channel_id AND size.block_no = vector.block_no
-  JOIN taught_before AS own ON own.channel_id = vector.channel_id
+  JOIN taught_before AS teacher ON teacher.channel_id = vector.channel_id
 ) AS numbered
 WHERE :picked

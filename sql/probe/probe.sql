@@ -4,18 +4,18 @@
 -- A row:  one change of one support; vectors and novel are NULL where it cannot be asked.
 SELECT
   middle.support_id AS support_id,
-  asked.change_no AS change_no,
-  asked.change_name AS change_name,
+  change.change_no AS change_no,
+  change.change_name AS change_name,
   CASE
     WHEN counted.hit = 1 THEN counted.vectors
-    WHEN asked.pace IS NOT NULL THEN CAST(0 AS BIGINT)
+    WHEN change.pace IS NOT NULL THEN CAST(0 AS BIGINT)
   END AS vectors,
   CASE
     WHEN counted.hit = 1 THEN counted.novel
-    WHEN asked.pace IS NOT NULL THEN CAST(0 AS BIGINT)
+    WHEN change.pace IS NOT NULL THEN CAST(0 AS BIGINT)
   END AS novel
 FROM usual AS middle
-CROSS JOIN changes AS asked
+CROSS JOIN changes AS change
 LEFT JOIN (
   SELECT
     vector.support_id AS support_id,
@@ -37,4 +37,4 @@ LEFT JOIN (
     FROM cells
   ) AS healthy ON healthy.support_id = vector.support_id AND healthy.cell_key = vector.cell_key
   GROUP BY vector.support_id, vector.change_no
-) AS counted ON counted.support_id = middle.support_id AND counted.change_no = asked.change_no
+) AS counted ON counted.support_id = middle.support_id AND counted.change_no = change.change_no

@@ -4,9 +4,9 @@
 SELECT
   named.asset AS asset,
   named.channel AS channel,
-  asked.change_name AS change_name,
-  asked.vectors AS vectors,
-  asked.novel AS novel
+  outcome.change_name AS change_name,
+  outcome.vectors AS vectors,
+  outcome.novel AS novel
 FROM channels AS named
-JOIN probe AS asked ON asked.support_id = named.support_id
-ORDER BY named.asset, named.channel, asked.change_no
+JOIN probe AS outcome ON outcome.support_id = named.support_id
+ORDER BY named.asset, named.channel, outcome.change_no

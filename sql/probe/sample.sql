@@ -3,15 +3,15 @@
 -- Slots:  :usual   the sample as it is, k * tau before the newest one
 --         :paced   the one that takes its place at the pace of the change
 CASE
-  WHEN asked.shift IS NOT NULL
+  WHEN change.shift IS NOT NULL
     THEN :usual + CASE
-      WHEN middle.width > CAST(1e-290 AS DOUBLE) THEN asked.shift * middle.width
+      WHEN middle.width > CAST(1e-290 AS DOUBLE) THEN change.shift * middle.width
       ELSE CAST(0 AS DOUBLE)
     END
-  WHEN asked.stroke IS NOT NULL
+  WHEN change.stroke IS NOT NULL
     THEN CASE
       WHEN :usual - middle.q50 BETWEEN CAST(-1e-290 AS DOUBLE) AND CAST(1e-290 AS DOUBLE) THEN :usual
-      ELSE middle.q50 + asked.stroke * (:usual - middle.q50)
+      ELSE middle.q50 + change.stroke * (:usual - middle.q50)
     END
   ELSE :paced
 END

@@ -32,7 +32,7 @@ FROM (
     SELECT
       tried.support_id AS support_id,
       tried.change_name AS change_name,
-      asked.rung AS rung,
+      change.rung AS rung,
       middle.q05 AS usual_low,
       middle.q50 AS usual_middle,
       middle.q95 AS usual_high,
@@ -46,7 +46,7 @@ FROM (
         END AS BIGINT
       ) AS seen
     FROM probe AS tried
-    JOIN changes AS asked ON asked.change_no = tried.change_no
+    JOIN changes AS change ON change.change_no = tried.change_no
     JOIN usual AS middle ON middle.support_id = tried.support_id
     JOIN spread AS learnt ON learnt.support_id = tried.support_id
     JOIN bounds AS scale ON scale.channel_id = tried.support_id

@@ -27,8 +27,10 @@ LEFT JOIN (
   SELECT
     support_id,
     program_no,
-    CAST(SUM(placed.visits) AS BIGINT) AS vectors,
-    CAST(SUM(CASE WHEN placed.first_block = placed.last_block THEN placed.visits ELSE 0 END) AS BIGINT) AS unvouched,
+    CAST(SUM(program_cell.visits) AS BIGINT) AS vectors,
+    CAST(
+      SUM(CASE WHEN program_cell.first_block = program_cell.last_block THEN program_cell.visits ELSE 0 END) AS BIGINT
+    ) AS unvouched,
     1 AS hit
   FROM (
     SELECT
@@ -40,6 +42,6 @@ LEFT JOIN (
       first_block,
       last_block
     FROM cells
-  ) AS placed
+  ) AS program_cell
   GROUP BY support_id, program_no
 ) AS learnt ON learnt.support_id = ran.support_id AND learnt.program_no = ran.program_no

@@ -6,13 +6,13 @@
 -- Slots:  :settings_no  the set of parameters that this step serves
 SELECT
   seen.channel_id AS channel_id,
-  CASE WHEN kept.hit = 1 THEN kept.lo END AS lowest,
-  CASE WHEN kept.hit = 1 THEN kept.hi END AS highest,
+  CASE WHEN final_range.hit = 1 THEN final_range.lo END AS lowest,
+  CASE WHEN final_range.hit = 1 THEN final_range.hi END AS highest,
   seen.calibration_samples AS calibration_samples,
-  CASE WHEN kept.hit = 1 THEN kept.dropped_below ELSE 0 END AS dropped_below,
-  CASE WHEN kept.hit = 1 THEN kept.dropped_above ELSE 0 END AS dropped_above,
-  CASE WHEN kept.hit = 1 AND kept.dropped_below > 0 THEN kept.lowest END AS lowest_dropped,
-  CASE WHEN kept.hit = 1 AND kept.dropped_above > 0 THEN kept.highest END AS highest_dropped
+  CASE WHEN final_range.hit = 1 THEN final_range.dropped_below ELSE 0 END AS dropped_below,
+  CASE WHEN final_range.hit = 1 THEN final_range.dropped_above ELSE 0 END AS dropped_above,
+  CASE WHEN final_range.hit = 1 AND final_range.dropped_below > 0 THEN final_range.lowest END AS lowest_dropped,
+  CASE WHEN final_range.hit = 1 AND final_range.dropped_above > 0 THEN final_range.highest END AS highest_dropped
 FROM calibrated AS seen
 JOIN channels AS named ON named.channel_id = seen.channel_id
 LEFT JOIN (
@@ -27,5 +27,5 @@ LEFT JOIN (
     1 AS hit
   FROM rounds AS part
   GROUP BY support_id
-) AS kept ON kept.support_id = named.support_id
+) AS final_range ON final_range.support_id = named.support_id
 WHERE named.settings_no = :settings_no

@@ -32,11 +32,11 @@ FROM (
     value_to,
     program,
     CAST(COUNT(*) OVER (PARTITION BY version_id, kind, axis) AS BIGINT) AS cells,
-    CAST(SUM(known.visits) OVER (PARTITION BY version_id, kind, axis) AS BIGINT) AS total,
+    CAST(SUM(support_cell.visits) OVER (PARTITION BY version_id, kind, axis) AS BIGINT) AS total,
     CAST(
       ROW_NUMBER() OVER (PARTITION BY version_id, kind, axis ORDER BY visits DESC, cell_key) AS BIGINT
     ) AS visit_rank
-  FROM stored_cell AS known
+  FROM stored_cell AS support_cell
   WHERE :chosen AND axis < :axes
 ) AS ranked
 WHERE visit_rank <= :most

@@ -5,10 +5,10 @@
 -- Slots:  :most  readings of a piece
 --         :programs, :carried  program, where a column says what a machine runs
 SELECT
-  placed.number AS number,
-  placed.piece AS piece,
-  placed.time AS time,
-  placed.value AS value,
+  nearby.number AS number,
+  nearby.piece AS piece,
+  nearby.time AS time,
+  nearby.value AS value,
   :carried
 FROM (
   SELECT
@@ -26,5 +26,5 @@ FROM (
   JOIN channels AS named ON named.channel_id = sampled.channel_id
   JOIN wanted_pieces AS wish ON wish.asset = named.asset AND wish.channel = named.channel
   WHERE sampled.time <= wish.last_tick
-) AS placed
-WHERE placed.place <= :most
+) AS nearby
+WHERE nearby.place <= :most

@@ -5,8 +5,8 @@
 SELECT
   named.asset AS asset,
   named.channel AS channel,
-  made.asked AS asked,
-  made.stated_rate AS stated_rate,
+  limit_row.asked AS asked,
+  limit_row.stated_rate AS stated_rate,
   judged.judgements AS judgements
 FROM stored_monitor AS watching
 JOIN stored_channel AS named ON named.monitor_id = watching.monitor_id
@@ -23,6 +23,6 @@ JOIN (
   ) AS each_judgement
   GROUP BY version_id, limit_no
 ) AS judged ON judged.version_id = version.version_id
-JOIN stored_limit AS made ON made.version_id = judged.version_id AND made.limit_no = judged.limit_no
+JOIN stored_limit AS limit_row ON limit_row.version_id = judged.version_id AND limit_row.limit_no = judged.limit_no
 WHERE watching.name = :monitor
 ORDER BY named.asset, named.channel, judged.version_id, judged.limit_no

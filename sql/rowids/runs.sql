@@ -14,8 +14,8 @@ SELECT
   run.taught_row - run.context_rows + 1 AS start_row,
   run.last_row AS last_row,
   CASE
-    WHEN first_one.channel_id = run.channel_id
-      AND last_one.channel_id = run.channel_id
+    WHEN first_sample.channel_id = run.channel_id
+      AND last_sample.channel_id = run.channel_id
       AND (run.taught_row < run.first_row OR taught.time < run.first_scored)
       AND (run.taught_row = run.last_row OR untaught.time >= run.first_scored) THEN 0
     ELSE 1
@@ -45,9 +45,9 @@ FROM (
         ) AS BIGINT
       ) - readings AS rows_before
     FROM scale
-  ) AS placed
+  ) AS channel_offset
 ) AS run
-LEFT JOIN coded AS first_one ON first_one.rowid = run.first_row
-LEFT JOIN coded AS last_one ON last_one.rowid = run.last_row
+LEFT JOIN coded AS first_sample ON first_sample.rowid = run.first_row
+LEFT JOIN coded AS last_sample ON last_sample.rowid = run.last_row
 LEFT JOIN coded AS taught ON taught.rowid = run.taught_row
 LEFT JOIN coded AS untaught ON untaught.rowid = run.taught_row + 1

@@ -6,17 +6,17 @@
 -- A row:  one vector, at the time of its newest sample; cell_key is NULL where a sample is missing; position
 --         counts the samples from the first one that is read.
 -- Slots:  :first_row, :last_row  the rows of a channel that are read
---         :span     (m-1) * tau, the samples between oldest and newest
---         :delayed  code_1 ... code_(m-1), of rows that Python joins by rowids/delayed.sql
---         :known    all coordinates are there
---         :cell_key the mixed-radix integer of the coordinates
---         :outside  a coordinate lies outside the calibrated range
---         :read     which channels are read
+--         :span                  (m-1) * tau, the samples between oldest and newest
+--         :delayed               code_1 ... code_(m-1), of rows that Python joins by rowids/delayed.sql
+--         :is_present            all coordinates are there
+--         :cell_key              the mixed-radix integer of the coordinates
+--         :outside               a coordinate lies outside the calibrated range
+--         :read                  which channels are read
 SELECT
   channel_id,
   support_id,
   time,
-  CASE WHEN :known THEN :cell_key END AS cell_key,
+  CASE WHEN :is_present THEN :cell_key END AS cell_key,
   CASE WHEN :outside THEN 1 ELSE 0 END AS out_of_range,
   position,
   time AS context_time,

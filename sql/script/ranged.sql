@@ -3,13 +3,13 @@
 SELECT
   seen.asset AS asset,
   seen.channel AS channel,
-  CASE WHEN kept.hit = 1 THEN kept.lo END AS lowest,
-  CASE WHEN kept.hit = 1 THEN kept.hi END AS highest,
+  CASE WHEN final_range.hit = 1 THEN final_range.lo END AS lowest,
+  CASE WHEN final_range.hit = 1 THEN final_range.hi END AS highest,
   seen.calibration_samples AS calibration_samples,
-  CASE WHEN kept.hit = 1 THEN kept.dropped_below ELSE 0 END AS dropped_below,
-  CASE WHEN kept.hit = 1 THEN kept.dropped_above ELSE 0 END AS dropped_above,
-  CASE WHEN kept.hit = 1 AND kept.dropped_below > 0 THEN kept.lowest END AS lowest_dropped,
-  CASE WHEN kept.hit = 1 AND kept.dropped_above > 0 THEN kept.highest END AS highest_dropped
+  CASE WHEN final_range.hit = 1 THEN final_range.dropped_below ELSE 0 END AS dropped_below,
+  CASE WHEN final_range.hit = 1 THEN final_range.dropped_above ELSE 0 END AS dropped_above,
+  CASE WHEN final_range.hit = 1 AND final_range.dropped_below > 0 THEN final_range.lowest END AS lowest_dropped,
+  CASE WHEN final_range.hit = 1 AND final_range.dropped_above > 0 THEN final_range.highest END AS highest_dropped
 FROM calibrated AS seen
 LEFT JOIN (
   SELECT
@@ -24,4 +24,4 @@ LEFT JOIN (
     1 AS hit
   FROM rounds AS part
   GROUP BY asset, channel
-) AS kept ON kept.asset = seen.asset AND kept.channel = seen.channel
+) AS final_range ON final_range.asset = seen.asset AND final_range.channel = seen.channel

@@ -3,11 +3,11 @@
 -- an exact repetition is at distance zero and skipped, and a cycle of whole samples has no others near enough.
 -- Reads:  states
 -- A row:  one dimension of one channel that is too small; 0 is none.
-SELECT channel_id, with_one_more - 1 AS m
+SELECT channel_id, larger_m - 1 AS m
 FROM (
   SELECT
     channel_id,
-    m AS with_one_more,
+    m AS larger_m,
     states,
     LAG(states, 1) OVER (PARTITION BY channel_id ORDER BY m) AS states_before,
     MAX(states) OVER (PARTITION BY channel_id) AS most_states,

@@ -7,13 +7,13 @@
 SELECT
   named.asset AS asset,
   named.channel AS channel,
-  CAST(CASE WHEN given.hit = 1 THEN given.samples ELSE 0 END AS BIGINT) AS samples,
-  CAST(CASE WHEN given.hit = 1 THEN given.usable ELSE 0 END AS BIGINT) AS usable,
-  CASE WHEN given.hit = 1 THEN given.tau END AS tau,
-  CASE WHEN given.hit = 1 THEN given.tau_rule ELSE 'none' END AS tau_rule,
-  CASE WHEN given.hit = 1 THEN given.ami_minimum END AS ami_minimum,
-  CASE WHEN given.hit = 1 THEN given.acf_1e END AS acf_1e,
-  CASE WHEN given.hit = 1 THEN given.acf_zero END AS acf_zero,
+  CAST(CASE WHEN delay_choice.hit = 1 THEN delay_choice.samples ELSE 0 END AS BIGINT) AS samples,
+  CAST(CASE WHEN delay_choice.hit = 1 THEN delay_choice.usable ELSE 0 END AS BIGINT) AS usable,
+  CASE WHEN delay_choice.hit = 1 THEN delay_choice.tau END AS tau,
+  CASE WHEN delay_choice.hit = 1 THEN delay_choice.tau_rule ELSE 'none' END AS tau_rule,
+  CASE WHEN delay_choice.hit = 1 THEN delay_choice.ami_minimum END AS ami_minimum,
+  CASE WHEN delay_choice.hit = 1 THEN delay_choice.acf_1e END AS acf_1e,
+  CASE WHEN delay_choice.hit = 1 THEN delay_choice.acf_zero END AS acf_zero,
   CASE WHEN unfolds.hit = 1 THEN unfolds.m_fnn END AS m_fnn,
   CASE WHEN unfolds.hit = 1 THEN unfolds.fnn_status ELSE 'none' END AS fnn_status,
   CASE WHEN unfolds.hit = 1 THEN unfolds.m_cao END AS m_cao,
@@ -69,7 +69,7 @@ LEFT JOIN (
     acf_zero,
     1 AS hit
   FROM delays
-) AS given ON given.channel_id = named.channel_id
+) AS delay_choice ON delay_choice.channel_id = named.channel_id
 LEFT JOIN (
   SELECT
     channel_id,

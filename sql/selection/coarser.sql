@@ -7,9 +7,9 @@ SELECT
   place,
   CAST(
     CASE
-      WHEN known = 0 THEN 0
+      WHEN present = 0 THEN 0
       ELSE FLOOR(
-        CAST(total AS DOUBLE) / NULLIF(CAST(known AS DOUBLE), CAST(0 AS DOUBLE))
+        CAST(total AS DOUBLE) / NULLIF(CAST(present AS DOUBLE), CAST(0 AS DOUBLE))
         + CAST(5e-1 AS DOUBLE)
       )
     END AS SMALLINT
@@ -19,7 +19,7 @@ FROM (
     channel_id,
     run_no,
     half_place AS place,
-    CAST(SUM(CASE WHEN level > 0 THEN 1 ELSE 0 END) AS BIGINT) AS known,
+    CAST(SUM(CASE WHEN level > 0 THEN 1 ELSE 0 END) AS BIGINT) AS present,
     CAST(SUM(level) AS BIGINT) AS total
   FROM (
     SELECT

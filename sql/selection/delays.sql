@@ -80,6 +80,6 @@ FROM (
         FROM curve AS falling
         GROUP BY channel_id
       ) AS fallen ON fallen.channel_id = extent.channel_id
-    ) AS found
+    ) AS estimate
   ) AS ruled
 ) AS resolved

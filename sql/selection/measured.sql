@@ -1,6 +1,6 @@
 -- Measured: how far reference vectors that seek a neighbour, or found one in this round, are from every
 -- pattern in their box and the boxes beside it that occurs outside the Theiler window (box-assisted search).
--- Reads:  probes, asked, shifts, patterns
+-- Reads:  probes, sought, shifts, patterns
 -- A row:  one reference vector and one pattern; square is the squared Euclidean distance, largest the
 --         one in the maximum norm. Early and late places are told apart by whoever reads this: on DuckDB
 --         a CASE of a column that was joined must not go into another join (docs/quirks.md).
@@ -40,7 +40,7 @@ FROM (
         :coordinates,
         :box AS box
       FROM probes AS probe
-      JOIN asked AS waiting
+      JOIN sought AS waiting
         ON waiting.channel_id = probe.channel_id AND waiting.place = probe.place
       WHERE waiting.settled = :settled
     ) AS boxed

@@ -47,4 +47,4 @@ FROM (
   WHERE reached.settled = 1
     AND (pair.square = reached.square OR pair.largest = reached.largest)
   GROUP BY pair.channel_id, pair.place
-) AS found
+) AS nearest_pair

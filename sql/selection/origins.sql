@@ -10,11 +10,11 @@ SELECT
   taken.channel_id AS channel_id,
   taken.run_no AS run_no,
   taken.place AS place,
-  given.embedded_tau AS tau,
-  given.memory AS memory,
+  delay_choice.embedded_tau AS tau,
+  delay_choice.memory AS memory,
   1 AS depth,
   CAST(FLOOR(taken.scaled * CAST(16777216 AS DOUBLE) + CAST(5e-1 AS DOUBLE)) AS INTEGER) AS u_0,
   :code AS c_0
 FROM selected AS taken
-JOIN delays AS given ON given.channel_id = taken.channel_id
+JOIN delays AS delay_choice ON delay_choice.channel_id = taken.channel_id
 WHERE taken.scaled >= CAST(0 AS DOUBLE)

@@ -23,7 +23,7 @@ SELECT
     CASE
       WHEN scaled >= CAST(1 AS DOUBLE) THEN 16384
       WHEN scaled >= CAST(0 AS DOUBLE) THEN 1 + FLOOR(scaled * CAST(16384 AS DOUBLE))
-      WHEN known = 1 THEN 1
+      WHEN in_range = 1 THEN 1
       ELSE 0
     END AS SMALLINT
   ) AS level
@@ -33,7 +33,7 @@ FROM (
     position,
     breaking,
     scaled,
-    known,
+    in_range,
     CAST(ROW_NUMBER() OVER (PARTITION BY channel_id ORDER BY position) AS BIGINT) AS place,
     LAG(position, 1) OVER (PARTITION BY channel_id ORDER BY position) AS previous_position
   FROM (
@@ -53,7 +53,7 @@ FROM (
         WHEN sampled.value BETWEEN scale.calibrated_lo AND scale.calibrated_hi
           THEN (sampled.value - scale.calibrated_lo) / NULLIF(scale.calibrated_hi - scale.calibrated_lo, CAST(0 AS DOUBLE))
       END AS scaled,
-      CASE WHEN sampled.value BETWEEN scale.calibrated_lo AND scale.calibrated_hi THEN 1 ELSE 0 END AS known
+      CASE WHEN sampled.value BETWEEN scale.calibrated_lo AND scale.calibrated_hi THEN 1 ELSE 0 END AS in_range
     FROM samples AS sampled
     JOIN bounds AS scale ON scale.channel_id = sampled.channel_id
     LEFT JOIN (
@@ -65,4 +65,4 @@ FROM (
     WHERE sampled.time <= scale.calibration_end
   ) AS numbered
   WHERE calibrating = 1
-) AS placed
+) AS ordered

@@ -8,7 +8,7 @@ SELECT
   MAX(
     CASE
       WHEN ordered.position
-        = CAST(FLOOR(given.fraction * CAST(ordered.series_length AS DOUBLE)) AS BIGINT)
+        = CAST(FLOOR(chosen_rule.fraction * CAST(ordered.series_length AS DOUBLE)) AS BIGINT)
         THEN ordered.time
     END
   ) AS quota_time
@@ -26,5 +26,5 @@ FROM (
   WHERE dirty.repeats > 0
 ) AS ordered
 JOIN channels AS named ON named.channel_id = ordered.channel_id
-JOIN rules AS given ON given.calibration_no = named.calibration_no
+JOIN rules AS chosen_rule ON chosen_rule.calibration_no = named.calibration_no
 GROUP BY ordered.channel_id

@@ -12,7 +12,7 @@ SELECT
   MAX(
     CASE
       WHEN ordered.position
-        = CAST(FLOOR(given.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) THEN ordered.time
+        = CAST(FLOOR(chosen_rule.fraction * CAST(named.readings AS DOUBLE)) AS BIGINT) THEN ordered.time
     END
   ) AS quota_time
 FROM (
@@ -27,5 +27,5 @@ FROM (
   FROM identified AS reading
 ) AS ordered
 JOIN channels AS named ON named.channel_id = ordered.channel_id
-JOIN rules AS given ON given.calibration_no = named.calibration_no
+JOIN rules AS chosen_rule ON chosen_rule.calibration_no = named.calibration_no
 GROUP BY ordered.channel_id

@@ -15,10 +15,10 @@ SELECT
   MIN(CASE WHEN clocked.shift IS NULL THEN clocked.instant END) AS first_skipped,
   MAX(CASE WHEN clocked.shift IS NULL THEN clocked.instant END) AS last_skipped
 FROM (
-  SELECT told.is_there AS is_there, told.clock_time AS instant, :shift AS shift
+  SELECT clock.is_there AS is_there, clock.clock_time AS instant, :shift AS shift
   FROM (
     SELECT CASE WHEN :stored IS NULL THEN NULL ELSE 1 END AS is_there, :instant AS clock_time
     FROM source
     WHERE :condition
-  ) AS told
+  ) AS clock
 ) AS clocked

@@ -1,6 +1,6 @@
 -- Running, of one channel, in stored order: as health/running.sql. For DuckDB, which counts novel ones on along the rows
--- as they come. Proof: that of streams/placed.sql, of the same rows.
--- Reads:  placed
+-- as they come. Proof: that of streams/scored_vectors.sql, of the same rows.
+-- Reads:  scored_vectors
 -- A row:  one scored vector; straddling = 1 if it reaches back into calibration.
 -- Slots:  :outside       whether a coordinate lies outside the calibrated range
 --         :span          (m-1) * tau, the samples between its oldest and its newest
@@ -14,5 +14,5 @@ SELECT
   novel,
   number,
   CAST(SUM(novel) OVER (ROWS BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW) AS BIGINT) AS novel_so_far
-FROM placed
+FROM scored_vectors
 WHERE number > 0

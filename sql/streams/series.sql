@@ -4,10 +4,10 @@
 -- Reads:  readings
 -- A row:  the channel; the instants are NULL where no sample is asked for.
 -- Slots:  :asset, :channel
---         :samples     it has
---         :first_time  the instant of the first of them
---         :before      samples before those that are asked for
---         :asked       how many these are: up to the quota-th
+--         :samples       it has
+--         :first_time    the instant of the first of them
+--         :before        samples before those that are asked for
+--         :sample_count  how many these are: up to the quota-th
 SELECT
   CAST(:samples AS BIGINT) AS samples,
   CAST(0 AS BIGINT) AS conflicts,
@@ -15,12 +15,12 @@ SELECT
   reached.quota_time AS quota_time,
   reached.read_from AS read_from
 FROM (
-  SELECT MAX(asked.time) AS quota_time, MIN(asked.time) AS read_from
+  SELECT MAX(page.time) AS quota_time, MIN(page.time) AS read_from
   FROM (
     SELECT time
     FROM readings
     WHERE asset = :asset AND channel = :channel
-    LIMIT :asked
+    LIMIT :sample_count
     OFFSET :before
-  ) AS asked
+  ) AS page
 ) AS reached

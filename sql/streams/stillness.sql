@@ -13,4 +13,4 @@ FROM (
     time,
     MAX(CASE WHEN still = 0 THEN time ELSE CAST(:long_ago AS BIGINT) END) OVER () AS last_moving
   FROM moving_codes
-) AS placed
+) AS movement

@@ -6,14 +6,14 @@
 -- Reads:  codes
 -- A row:  one sample, and what its codes and those before it come to: whole = 1 if they are those of a vector;
 --         cell_key is NULL where a sample is missing.
--- Slots:  :delayed   code_1 ... code_(m-1), the delayed codes, and other columns over the same order
---         :known     all coordinates are there
---         :whole     whether the samples before are those of a vector
---         :cell_key  the mixed-radix integer of the coordinates
+-- Slots:  :delayed      code_1 ... code_(m-1), the delayed codes, and other columns over the same order
+--         :is_present   all coordinates are there
+--         :whole        whether the samples before are those of a vector
+--         :cell_key     the mixed-radix integer of the coordinates
 --         :coordinates  code_0 ... code_(m-1)
 SELECT
   time,
-  CASE WHEN :known THEN CAST(:cell_key AS BIGINT) END AS cell_key,
+  CASE WHEN :is_present THEN CAST(:cell_key AS BIGINT) END AS cell_key,
   :coordinates,
   position,
   CASE WHEN :whole THEN 1 ELSE 0 END AS whole,

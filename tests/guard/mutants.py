@@ -95,7 +95,7 @@ _ABOUT = {
     **{f"census/{name}": "test_collapsed" for name in ("*conflicts", "repeat*")},
     "source/collapsed_readings": "test_collapsed",
     "stored/scoring/collapsed": "test_first_runs",
-    "certificate/known_codes": "test_interrupted",
+    "certificate/present_codes": "test_interrupted",
     "census/held_vectors": "test_interrupted",
     "health/running": "test_census",
     "score/straddling": "test_agreement",
@@ -108,7 +108,7 @@ _ABOUT = {
         for name in ("certified", "member_*", "vouch*", "pool_spread")
     },
     "streams/probed": "test_probe",
-    "streams/known_value": "test_probe",
+    "streams/calibration_value": "test_probe",
     "*/range_counts": "test_range",
     "certificate/*": "test_spec[certificate",
     "embedding/context": "test_incremental[still",
@@ -136,12 +136,19 @@ _ABOUT = {
     **{
         f"stored/*/{name}": "test_stored_alarms"
         for name in (
-            *("buffered_rows", "extent_rows", "kept_buffered", "limit_*", "judged_*", "judgement_rows"),
-            *("open_judgements", "found_episodes", "episode_records", "staying_judgements"),
+            *(
+                "buffered_rows",
+                "extent_rows",
+                "calibration_buffered",
+                "limit_*",
+                "judged_*",
+                "judgement_rows",
+            ),
+            *("open_judgements", "raised_episodes", "episode_records", "staying_judgements"),
             *("alarm_rows", "event_rows", "labels", "next_judgement", "raised_judgements"),
             *(
-                "kept_judgements",
-                "kept_limits",
+                "recorded_judgements",
+                "recorded_limits",
                 "inconsistent_judgements",
                 "episode_history",
             ),
@@ -196,7 +203,7 @@ _ABOUT = {
     "stored/state/status_rows": "test_status",
     "stored/state/active": "test_cli_stored",
     "stored/state/validity": "test_valid_when",
-    "stored/state/known_channels": "test_cli_stored",
+    "stored/state/monitor_channels": "test_cli_stored",
     "stored/scoring/last_reads": "test_planning",
     "stored/calibrating/wanted_names": "test_planning",
     "stored/state/health_rows": "test_cli_stored",

@@ -48,7 +48,7 @@ def test_the_census_takes_the_widest_readings_for_what_they_are() -> None:
 
 def test_what_is_there_is_coded_where_a_single_sample_is_missing() -> None:
     found = step(
-        "certificate/known_codes",
+        "certificate/present_codes",
         {"settings_no": 0, "read": exp.column("missing_readings", table="named") > 0, "carried": []},
         samples=rows("channel_id time value", (1, 5, 0.5), (1, 6, None), (2, 5, 0.5), (3, 5, None)),
         channels=rows("channel_id missing_readings settings_no", (1, 1, 0), (2, 0, 0), (3, 1, 1)),
@@ -138,7 +138,7 @@ def spread(number: int, g: int, roots: list[int]) -> tuple[int, ...]:
 
 def test_a_judgement_that_is_known_tells_when_evidence_last_began() -> None:
     """Section 4: what is known stands for all before it, be it that evidence never was 0."""
-    names = "channel_id limit_no judgement_no root reference height known_open known_zero evidence "
+    names = "channel_id limit_no judgement_no root reference height prior_open prior_zero evidence "
     names += "judged_from"
     after = [(1500, -1, None, 400), (1500, -1, None, 900)]
     found = step(

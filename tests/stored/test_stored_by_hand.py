@@ -70,10 +70,10 @@ def test_rows_that_differ_are_counted_of_both_sides() -> None:
     found = step(
         "stored/checking/compared",
         slots,
-        kept_rows=rows(names, *same, *kept),
-        made_rows=rows(names, *same, *made),
+        state_rows=rows(names, *same, *kept),
+        recomputed_rows=rows(names, *same, *made),
     )
-    # stored, only_stored, only_made, samples_then, samples_now, since, owner_id
+    # stored, only_stored, only_recomputed, samples_then, samples_now, since, owner_id
     assert sorted(found, key=lambda row: row[-1]) == [(4, 2, 2, 21, 20, 10, 7), (1, 1, 1, 0, 0, 0, 8)]
 
 
@@ -310,7 +310,7 @@ def test_fifty_judgements_before_the_first_new_one_are_read_again() -> None:
 def test_an_episode_that_opens_within_calibration_is_still_proving() -> None:
     """Of nine blocks, numbered from 0: what opens at judgement 8 does, what opens at 9 does not."""
     found = step(
-        "stored/alarms/found_episodes",
+        "stored/alarms/raised_episodes",
         {"near": ALWAYS},
         merged=rows("channel_id onset first_judgement last_judgement", (3, 5, 8, 8), (3, 9, 9, 10)),
         followed=rows("channel_id version_id", (3, 7)),

@@ -180,7 +180,7 @@ def add_forecast_points(study: Study, number: int) -> list[str]:
     point = point_of(method, number)
     OfSet(steps, method, number).add("lab/baselines/before", {"point": point, "earlier": lagged})
     added = [*earlier.values(), "elapsed"]
-    handed_on = [exp.alias_(exp.column(column, table="placed"), column) for column in added]
+    handed_on = [exp.alias_(exp.column(column, table="point"), column) for column in added]
     for step in ("learnt_points", "scored_points"):
         OfSet(steps, method, number).add(
             f"lab/estimators/{step}",

@@ -14,7 +14,7 @@ def add_scores(steps: Pipeline, method: Method, number: int) -> None:
     """Add the centre, fitted in SQL on all calibration vectors, and the distances to it."""
     means = [
         exp.alias_(
-            template.fill("lab/estimators/centroid_mean", {"coordinate": exp.column(x, table="placed")}),
+            template.fill("lab/estimators/centroid_mean", {"coordinate": exp.column(x, table="point")}),
             f"centre_{k}",
         )
         for k, x in enumerate(names_of(method, number))

@@ -116,7 +116,7 @@ def add_scores(steps: Pipeline, method: Method, number: int) -> None:
         ifs=[
             exp.If(
                 this=exp.EQ(this=exp.column("axis", table="fork"), expression=exp.Literal.number(k)),
-                true=exp.column(x, table="placed"),
+                true=exp.column(x, table="point"),
             )
             for k, x in enumerate(names_of(method, number))
         ]

@@ -17,7 +17,7 @@ def names_of(method: Method, number: int, letter: str = "x") -> list[str]:
     return [f"{letter}_{k}" for k in range(method.settings[number].m)]
 
 
-def point_of(method: Method, number: int, table: str = "placed") -> list[exp.Expr]:
+def point_of(method: Method, number: int, table: str = "point") -> list[exp.Expr]:
     """Return the coordinates of a point as columns that are handed on."""
     return [exp.alias_(exp.column(x, table=table), x) for x in names_of(method, number)]
 

@@ -253,12 +253,12 @@ def _outcome(row: dict[str, Any]) -> Outcome:
 def _check_rows(rows: list[dict[str, Any]], table: HealthTable) -> None:
     if not rows:
         raise SourceError("The table of health indicators has no row.")
-    nameless = sum(row["given_values"] for row in rows if row["asset"] is None or row["channel"] is None)
-    unplaced = sum(row["given_values"] - min(row["placed_values"], row["dated_values"]) for row in rows)
+    nameless = sum(row["rows_read"] for row in rows if row["asset"] is None or row["channel"] is None)
+    unplaced = sum(row["rows_read"] - min(row["numbered_values"], row["dated_values"]) for row in rows)
     for count, what in ((nameless, "asset or channel"), (unplaced, "time")):
         if count:
             raise SourceError(f"The table of health indicators has {count} rows without {what}.")
-    twice = sum(row["places"] < row["given_values"] for row in rows)
+    twice = sum(row["places"] < row["rows_read"] for row in rows)
     if twice:
         raise SourceError(
             f"{twice} channels have several values at one place, so their order is not known; is it the "

@@ -49,9 +49,9 @@ def looking_steps(indicator: exp.Query, stride: int = 1) -> Pipeline:
 
 
 def window_steps(indicator: exp.Query) -> Pipeline:
-    """Return the steps *given*, which is the query of an indicator, and *window_lengths*."""
+    """Return the steps *raw_indicator*, which is the query of an indicator, and *window_lengths*."""
     steps = Pipeline()
-    steps.add("given", indicator, template.load("lab/evaluation/indicator").comment)
+    steps.add("raw_indicator", indicator, template.load("lab/evaluation/indicator").comment)
     add(steps, "lab/evaluation/window_lengths")
     return steps
 

@@ -151,8 +151,8 @@ def _judged_episodes(
             return {}, ranges
         version = {row["channel_id"]: row for row in followed}
         begun = [{**version[row["channel_id"]], "onset": row["onset"]} for row in onsets]
-        add(steps, "stored/alarms/found_episodes", {"near": _from(begun, "onset")})
-        return by("channel_id", running.rows("found_episodes")), ranges
+        add(steps, "stored/alarms/raised_episodes", {"near": _from(begun, "onset")})
+        return by("channel_id", running.rows("raised_episodes")), ranges
 
 
 def _since(row: Row, live: Mapping[int, list[Row]], first: int) -> int:

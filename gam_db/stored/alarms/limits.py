@@ -52,7 +52,7 @@ def learnt(
         slots[f"finds_{name}"] = finds
     slots["heeding"] = int(is_heeding)
     add(steps, "stored/alarms/limit_channels", slots)
-    add(steps, "stored/alarms/kept_buffered", name="buffered")
+    add(steps, "stored/alarms/calibration_buffered", name="buffered")
     add_spreads(steps, families, "limit_channels")
     tables = {} if versions is None else {"stored_version": versions}
     return Running(state.session, steps, {**state.tables.nodes(), **tables})

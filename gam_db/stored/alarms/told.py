@@ -178,7 +178,7 @@ def label(
     with state.session.transaction():
         state.lock(monitor_id)
         records = records_of(state, monitor_id)
-        channels = state.rows("stored/state/known_channels", {"monitor_id": monitor_id})
+        channels = state.rows("stored/state/monitor_channels", {"monitor_id": monitor_id})
         assets = {row["channel_id"]: row["asset"] for row in channels}
         if episode is not None:
             about = [_episode(episode, records)]

@@ -153,7 +153,7 @@ class _Check:
     def soundness(self, monitor_id: int) -> tuple[int, list[Row]]:
         """Look at what must hold whatever the source.
 
-        Returned are how many buckets there are, and the rows of *oldest_kept*.
+        Returned are how many buckets there are, and the rows of *oldest_buckets*.
         """
         buckets = 0
         with self._running(soundness_steps(monitor_id, self.session.transactions)) as running:
@@ -180,8 +180,8 @@ class _Check:
                 what = f"rows of {table} whose {row['lacks']} is not there"
                 if row["lacks"] == "another key":
                     what = f"keys or names that are there twice in {table}"
-                self.note(None, "tables", what=what, differing=row["found"])
-            return buckets, running.rows("oldest_kept")
+                self.note(None, "tables", what=what, differing=row["orphans"])
+            return buckets, running.rows("oldest_buckets")
 
     def look(self) -> None:
         """Look at the source: how many rows each channel has, and its oldest and newest time."""
@@ -259,7 +259,7 @@ class _Check:
         reported = {row["owner_id"] for row in scored.buckets}
         for row in scored.buckets:
             what = (
-                f"{row['only_made']:,} buckets that the source gives are not stored, "
+                f"{row['only_recomputed']:,} buckets that the source gives are not stored, "
                 f"{row['only_stored']:,} are stored that it does not give"
             )
             samples = {name: row[name] for name in ("samples_then", "samples_now")}

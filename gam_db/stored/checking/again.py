@@ -41,7 +41,7 @@ def compared(
     made again name it as it is stored, as judgements do.
 
     Returns:
-        Rows with owner_id, stored, only_stored, only_made, differing (the larger of the two),
+        Rows with owner_id, stored, only_stored, only_recomputed, differing (the larger of the two),
         samples_then, samples_now and since, where they differ.
     """
     running.prepare(computed)
@@ -68,13 +68,13 @@ def compared(
         "since": exp.column("first_time") if "first_time" in names else exp.cast(exp.null(), "BIGINT"),
         "samples": exp.column("samples") if "samples" in names else exp.Literal.number(0),
     }
-    steps = {"made_rows": computed}
+    steps = {"recomputed_rows": computed}
     if stored in running.steps.steps:
-        steps["kept_rows"] = stored
+        steps["state_rows"] = stored
     else:
-        running.tables["kept_rows"] = running.tables[stored]
+        running.tables["state_rows"] = running.tables[stored]
     rows = running.query_rows("stored/checking/compared", slots, steps)
-    return [{**row, "differing": max(row["only_stored"], row["only_made"])} for row in rows]
+    return [{**row, "differing": max(row["only_stored"], row["only_recomputed"])} for row in rows]
 
 
 class Scored(NamedTuple):

@@ -61,7 +61,7 @@ def inconsistencies(
 ) -> Iterator[Inconsistency]:
     """Give what does not hold between the tables of alarms.
 
-    Versions are rows of the step *checked*, and ``oldest`` those of *oldest_kept*.
+    Versions are rows of the step *checked*, and ``oldest`` those of *oldest_buckets*.
     """
     yield from _limits(state, monitor_id, kind, versions)
     begun = [{**versions[row["version_id"]], **row} for row in oldest]
@@ -70,7 +70,7 @@ def inconsistencies(
     slots = {"monitor_id": monitor_id}
     history = state.rows("stored/checking/episode_history", slots)
     channels = {
-        row["channel_id"]: row["asset"] for row in state.rows("stored/state/known_channels", slots)
+        row["channel_id"]: row["asset"] for row in state.rows("stored/state/monitor_channels", slots)
     }
     yield from _episodes(history, channels, versions)
     active = [row for row in versions.values() if row["is_active"]]
@@ -93,7 +93,7 @@ def _limits(
     state: State, monitor_id: int, kind: TimeKind, versions: Mapping[int, Row]
 ) -> Iterator[Inconsistency]:
     """Hold the limits of active versions to what calibration counted."""
-    rows = state.rows("stored/checking/kept_limits", {"monitor_id": monitor_id})
+    rows = state.rows("stored/checking/recorded_limits", {"monitor_id": monitor_id})
     with learnt(state, monitor_id) as work:
         version_of = {row["channel_id"]: row["version_id"] for row in work.rows("limit_channels")}
         learnt_limits: dict[int, dict[int, Row]] = defaultdict(dict)
@@ -170,12 +170,12 @@ def _judgements(state: State, buckets: int, group: Sequence[Row]) -> Iterator[In
         judged = {"first_bucket": FAR_AHEAD, "first_judgement": first}
         until.append({"channel_id": key, "version_id": key, **judged})
     steps = judging_steps(buckets, exp.true(), exp.true())
-    add(steps, "stored/checking/kept_judgements")
+    add(steps, "stored/checking/recorded_judgements")
     with Running(state.session, steps, state.tables.nodes()) as running:
         running.load("judged_until", table_of(until, UNTIL))
         for step, schema in NOTHING_NEW.items():
             running.load(step, table_of([], schema))
-        differences = compared(running, "judgement", "judgement_rows", "kept_judgements")
+        differences = compared(running, "judgement", "judgement_rows", "recorded_judgements")
     active = {row["version_id"] for row in group if row["is_active"]}
     for row in differences:
         since = row["since"] if row["owner_id"] in active else None

@@ -12,7 +12,7 @@ from gam_db.method.alarms import root_of
 def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
     """Return the steps that tell what does not hold between the state tables, without the source.
 
-    The last are *checked*, *oldest_kept*, *orphans*, and what is *inconsistent* of versions, buckets,
+    The last are *checked*, *oldest_buckets*, *orphans*, and what is *inconsistent* of versions, buckets,
     novel cells, judgements and runs.
 
     Args:
@@ -21,9 +21,14 @@ def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
     """
     steps = Pipeline(small=frozenset({"checked"}))
     add(steps, "stored/checking/checked", {"monitor_id": monitor_id})
-    for name in ("inconsistent_versions", "inconsistent_buckets", "inconsistent_novel", "oldest_kept"):
+    for name in (
+        "inconsistent_versions",
+        "inconsistent_buckets",
+        "inconsistent_novel",
+        "oldest_buckets",
+    ):
         add(steps, f"stored/checking/{name}")
-    add(steps, "stored/checking/inconsistent_judgements", {"root": root_of("novel", "kept")})
+    add(steps, "stored/checking/inconsistent_judgements", {"root": root_of("novel", "judgement")})
     add(steps, "stored/checking/inconsistent_runs", {"nothing": FAR_AHEAD, "long_ago": LONG_AGO})
     add(steps, "stored/checking/orphans", {"whole": int(is_whole)})
     return steps

@@ -229,7 +229,7 @@ def explaining_steps(setting: Setting, kind: TimeKind) -> Pipeline:
     band = band_of(exp.column("cell_key", table="visit"), template.node_of(setting.bins))
     add(steps, "stored/alarms/banded", {"window": setting.window_length, "band": band})
     add_moves(of_set)
-    steps.small |= {"placed", "reread", "moves"}  # a few windows: a second pass would cost as much
+    steps.small |= {"scored_vectors", "reread", "moves"}  # few windows; a second pass costs as much
     return steps
 
 

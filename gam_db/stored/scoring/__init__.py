@@ -205,7 +205,7 @@ class Run:
 
     def _channel_rows(self) -> list[Row]:
         slots: dict[str, template.Slot] = {"monitor_id": self.monitor["monitor_id"]}
-        return self.state.rows("stored/state/known_channels", slots)
+        return self.state.rows("stored/state/monitor_channels", slots)
 
     def _look(self, cohort: Cohort) -> list[Row]:
         """Keep *names*, what the source holds by name in the range of a cohort, and return its rows."""

@@ -9,4 +9,4 @@ SELECT
   :point,
   :earlier,
   time - LAG(time, 1) OVER (PARTITION BY channel_id ORDER BY time) AS elapsed
-FROM coordinates AS placed
+FROM coordinates AS point

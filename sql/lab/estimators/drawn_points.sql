@@ -3,8 +3,8 @@
 -- Reads:  learnt_points, drawn
 -- A row:  one point, in order.
 -- Slots:  :point  x_0 ... x_(m-1)
-SELECT placed.support_id AS support_id, :point
-FROM learnt_points AS placed
+SELECT point.support_id AS support_id, :point
+FROM learnt_points AS point
 JOIN drawn AS chosen
-  ON chosen.support_id = placed.support_id AND chosen.number = placed.number
-ORDER BY placed.support_id, placed.number
+  ON chosen.support_id = point.support_id AND chosen.number = point.number
+ORDER BY point.support_id, point.number

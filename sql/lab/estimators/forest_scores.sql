@@ -3,10 +3,10 @@
 -- Reads:  walk, forest_nodes, forests
 -- A row:  one scored vector.
 SELECT
-  placed.channel_id AS channel_id,
-  placed.time AS time,
+  point.channel_id AS channel_id,
+  point.time AS time,
   EXP(-CAST(SUM(leaf.path_units) AS DOUBLE) * grown.rate) AS score
-FROM walk AS placed
-JOIN forest_nodes AS leaf ON leaf.node = placed.node
-JOIN forests AS grown ON grown.support_id = placed.support_id
-GROUP BY placed.channel_id, placed.time, grown.rate
+FROM walk AS point
+JOIN forest_nodes AS leaf ON leaf.node = point.node
+JOIN forests AS grown ON grown.support_id = point.support_id
+GROUP BY point.channel_id, point.time, grown.rate

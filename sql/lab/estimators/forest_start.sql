@@ -3,10 +3,10 @@
 -- A row:  one scored vector and one tree.
 -- Slots:  :point  x_0 ... x_(m-1)
 SELECT
-  placed.channel_id AS channel_id,
-  placed.support_id AS support_id,
-  placed.time AS time,
+  point.channel_id AS channel_id,
+  point.support_id AS support_id,
+  point.time AS time,
   :point,
   tree.root AS node
-FROM scored_points AS placed
-JOIN forest_trees AS tree ON tree.support_id = placed.support_id
+FROM scored_points AS point
+JOIN forest_trees AS tree ON tree.support_id = point.support_id

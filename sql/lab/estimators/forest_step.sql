@@ -6,10 +6,10 @@
 -- Slots:  :point       x_0 ... x_(m-1)
 --         :coordinate  the one that the node asks for
 SELECT
-  placed.channel_id AS channel_id,
-  placed.support_id AS support_id,
-  placed.time AS time,
+  point.channel_id AS channel_id,
+  point.support_id AS support_id,
+  point.time AS time,
   :point,
   CASE WHEN :coordinate <= fork.threshold THEN fork.lower_node ELSE fork.upper_node END AS node
-FROM walk AS placed
-JOIN forest_nodes AS fork ON fork.node = placed.node
+FROM walk AS point
+JOIN forest_nodes AS fork ON fork.node = point.node

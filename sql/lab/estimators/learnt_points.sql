@@ -9,6 +9,6 @@ SELECT
   ) AS number,
   :point
 FROM learnable AS vector
-JOIN coordinates AS placed
-  ON placed.channel_id = vector.channel_id AND placed.time = vector.time
+JOIN coordinates AS point
+  ON point.channel_id = vector.channel_id AND point.time = vector.time
 JOIN bounds AS scale ON scale.channel_id = vector.channel_id

@@ -8,5 +8,5 @@ SELECT
   vector.time AS time,
   :point
 FROM monitored AS vector
-JOIN coordinates AS placed
-  ON placed.channel_id = vector.channel_id AND placed.time = vector.time
+JOIN coordinates AS point
+  ON point.channel_id = vector.channel_id AND point.time = vector.time

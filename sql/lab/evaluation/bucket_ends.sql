@@ -1,6 +1,6 @@
 -- Bucket ends: of an indicator that is there for every vector, the values at the end of each bucket of so
 -- many vectors, as gam run --every stride writes them.
--- Reads:  given
+-- Reads:  raw_indicator
 -- A row:  one value of one channel, with the columns of indicator; what cannot be numbered, and
 --         instants that are there twice, stay, so that they can be refused.
 -- Slots:  :stride  vectors of a bucket
@@ -17,7 +17,7 @@ FROM (
     CAST(ROW_NUMBER() OVER (PARTITION BY asset, channel ORDER BY place) AS BIGINT) AS number,
     LAG(place, 1) OVER (PARTITION BY asset, channel ORDER BY place) AS place_before,
     LAG(place, 1) OVER (PARTITION BY asset, channel ORDER BY place DESC) AS place_after
-  FROM given
+  FROM raw_indicator
 ) AS numbered
 WHERE number % :stride = 0
   OR place = place_before

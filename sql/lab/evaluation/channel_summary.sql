@@ -7,12 +7,12 @@ SELECT
   asset,
   channel,
   outcome,
-  CASE WHEN k_found > 0 THEN k_found ELSE 0 END AS k,
+  CASE WHEN measured_k > 0 THEN measured_k ELSE 0 END AS k,
   CASE
-    WHEN values_per_window > 0 AND k_found > 0
+    WHEN values_per_window > 0 AND measured_k > 0
       THEN CAST(
         FLOOR(
-          CAST(k_found + values_per_window - 1 AS DOUBLE) / CAST(values_per_window AS DOUBLE)
+          CAST(measured_k + values_per_window - 1 AS DOUBLE) / CAST(values_per_window AS DOUBLE)
         ) AS BIGINT
       )
     WHEN values_per_window > 0 THEN 0
@@ -24,21 +24,21 @@ SELECT
   rob,
   CASE
     WHEN mon IS NOT NULL THEN NULL
-    WHEN k_found > 1 THEN 'constant'
-    WHEN k_found = 1 THEN 'one_value'
+    WHEN measured_k > 1 THEN 'constant'
+    WHEN measured_k = 1 THEN 'one_value'
     ELSE 'no_values'
   END AS mon_reason,
   CASE
     WHEN corr_size IS NOT NULL THEN NULL
-    WHEN k_found > 1 THEN 'constant'
-    WHEN k_found = 1 THEN 'one_value'
+    WHEN measured_k > 1 THEN 'constant'
+    WHEN measured_k = 1 THEN 'one_value'
     ELSE 'no_values'
   END AS corr_reason,
   CASE
-    WHEN rob IS NOT NULL AND k_found < 20 THEN 'interpolated'
+    WHEN rob IS NOT NULL AND measured_k < 20 THEN 'interpolated'
     WHEN rob IS NOT NULL THEN NULL
-    WHEN k_found > 4 THEN 'constant'
-    WHEN k_found > 0 THEN 'short'
+    WHEN measured_k > 4 THEN 'constant'
+    WHEN measured_k > 0 THEN 'short'
     ELSE 'no_values'
   END AS rob_reason,
   mon_chance,
@@ -58,7 +58,7 @@ FROM (
     member.channel AS channel,
     member.outcome AS outcome,
     member.values_per_window AS values_per_window,
-    CASE WHEN measured.hit = 1 THEN measured.k END AS k_found,
+    CASE WHEN measured.hit = 1 THEN measured.k END AS measured_k,
     CASE WHEN measured.hit = 1 THEN measured.mon END AS mon,
     CASE WHEN measured.hit = 1 THEN measured.mon_signed END AS mon_signed,
     CASE WHEN measured.hit = 1 THEN measured.corr_size END AS corr_size,

@@ -29,5 +29,5 @@ FROM (
     0 AS counted,
     CAST(0 AS DOUBLE) AS part_mean,
     CAST(0 AS DOUBLE) AS part_sd
-) AS found
+) AS member_part
 GROUP BY group_id

@@ -13,8 +13,8 @@ SELECT
   place,
   time,
   CASE
-    WHEN given_hi = CAST(0 AS DOUBLE) THEN CAST(0 AS DOUBLE)
-    WHEN given_hi BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN given_hi
+    WHEN raw_hi = CAST(0 AS DOUBLE) THEN CAST(0 AS DOUBLE)
+    WHEN raw_hi BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN raw_hi
   END AS hi,
   novel_in_window,
   vectors_in_window
@@ -24,8 +24,8 @@ FROM (
     CAST(:channel AS VARCHAR) AS channel,
     CAST(:place AS BIGINT) AS place,
     CAST(:time AS BIGINT) AS time,
-    CAST(:hi AS DOUBLE) AS given_hi,
+    CAST(:hi AS DOUBLE) AS raw_hi,
     CAST(:novel_in_window AS BIGINT) AS novel_in_window,
     CAST(:vectors_in_window AS BIGINT) AS vectors_in_window
   FROM health
-) AS given
+) AS raw

@@ -43,4 +43,4 @@ FROM (
       FLOOR((CAST(k AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(10 AS DOUBLE)) AS BIGINT
     ) AS half_width
   FROM centred
-) AS placed
+) AS ordered

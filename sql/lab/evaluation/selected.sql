@@ -4,9 +4,9 @@
 SELECT
   member.series_id AS series_id,
   member.steps AS steps,
-  given.place AS place,
-  given.hi AS hi,
-  given.novel_in_window AS novel_in_window
-FROM indicator AS given
-JOIN members AS member ON member.asset = given.asset AND member.channel = given.channel
-WHERE given.hi IS NOT NULL AND given.time <= member.ends_at
+  indicator_row.place AS place,
+  indicator_row.hi AS hi,
+  indicator_row.novel_in_window AS novel_in_window
+FROM indicator AS indicator_row
+JOIN members AS member ON member.asset = indicator_row.asset AND member.channel = indicator_row.channel
+WHERE indicator_row.hi IS NOT NULL AND indicator_row.time <= member.ends_at

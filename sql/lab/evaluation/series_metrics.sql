@@ -41,7 +41,7 @@ FROM (
         ) / CAST(whole.level_range AS DOUBLE) * (whole.highest_hi - whole.lowest_hi)
       WHEN whole.k > :ddof THEN CAST(0 AS DOUBLE)
     END AS hi_sd,
-    CASE WHEN kept.hit = 1 THEN kept.mean_distance END AS mean_distance
+    CASE WHEN residual.hit = 1 THEN residual.mean_distance END AS mean_distance
   FROM (
     SELECT
       series_id,
@@ -60,6 +60,6 @@ FROM (
       - (CAST(level_sum AS DOUBLE) * CAST(level_sum AS DOUBLE) / CAST(k AS DOUBLE)) AS level_variation
     FROM moments
   ) AS whole
-  LEFT JOIN (SELECT series_id, mean_distance, 1 AS hit FROM residuals) AS kept
-    ON kept.series_id = whole.series_id
+  LEFT JOIN (SELECT series_id, mean_distance, 1 AS hit FROM residuals) AS residual
+    ON residual.series_id = whole.series_id
 ) AS measured

@@ -5,7 +5,7 @@
 -- Slots:  :monitor  its name
 SELECT
   raised.episode_id AS episode,
-  made.window_length AS window_length,
+  version.window_length AS window_length,
   CASE WHEN judged.judgements = judged.expected THEN judged.judgements END AS judgements,
   CASE WHEN judged.judgements = judged.expected THEN judged.novel END AS novel,
   CASE WHEN judged.judgements = judged.expected THEN judged.onset_novel END AS onset_novel,
@@ -24,7 +24,7 @@ SELECT
       THEN visited.later_states
   END AS later_states
 FROM stored_alarm AS raised
-JOIN stored_version AS made ON made.version_id = raised.version_id
+JOIN stored_version AS version ON version.version_id = raised.version_id
 JOIN (
   SELECT
     of_episode.episode_id AS episode_id,

@@ -1,5 +1,5 @@
 -- Banded: where the signal was in scored windows that are read again, by the newest coordinate.
--- Reads:  placed, cohort
+-- Reads:  scored_vectors, cohort
 -- A row:  one band of one window, numbered from 0 as it is read.
 -- Slots:  :window  W, in vectors
 --         :band    the expression of alarms/band.sql
@@ -24,7 +24,7 @@ FROM (
       ) AS window_no,
       :band AS band,
       visit.novel AS novel
-    FROM placed AS visit
+    FROM scored_vectors AS visit
   ) AS vectors
   GROUP BY channel_id, window_no, band
 ) AS counted

@@ -18,11 +18,11 @@ WHERE bucket.bucket_no < part.first_bucket
 UNION ALL
 SELECT
   part.channel_id AS channel_id,
-  made.bucket_no AS bucket_no,
+  bucket.bucket_no AS bucket_no,
   stamp.run_id AS run_id,
-  made.first_time AS first_time,
-  made.last_time AS last_time,
-  made.novel AS novel
-FROM new_buckets AS made
-JOIN judged_until AS part ON part.channel_id = made.channel_id
+  bucket.first_time AS first_time,
+  bucket.last_time AS last_time,
+  bucket.novel AS novel
+FROM new_buckets AS bucket
+JOIN judged_until AS part ON part.channel_id = bucket.channel_id
 CROSS JOIN stamp

@@ -5,19 +5,19 @@
 SELECT
   part.channel_id AS channel_id,
   part.version_id AS version_id,
-  made.first_scored AS first_scored,
+  version.first_scored AS first_scored,
   CASE WHEN latest.height IS NOT NULL THEN 1 ELSE 0 END AS is_judged,
   CASE WHEN judged.hit = 1 THEN judged.first_judgement END AS first_judgement,
   CASE WHEN judged.hit = 1 THEN judged.last_judgement END AS last_judgement,
   CASE WHEN judged.hit = 1 THEN judged.last_time END AS last_time
 FROM followed AS part
-JOIN stored_version AS made ON made.version_id = part.version_id
+JOIN stored_version AS version ON version.version_id = part.version_id
 JOIN (
   SELECT
     version_id,
-    MAX(own.limit_no) AS newest_no,
-    MAX(CASE WHEN own.height IS NOT NULL THEN 1 ELSE 0 END) AS was_judged
-  FROM stored_limit AS own
+    MAX(limit_row.limit_no) AS newest_no,
+    MAX(CASE WHEN limit_row.height IS NOT NULL THEN 1 ELSE 0 END) AS was_judged
+  FROM stored_limit AS limit_row
   GROUP BY version_id
 ) AS limited ON limited.version_id = part.version_id AND limited.was_judged = 1
 JOIN stored_limit AS latest

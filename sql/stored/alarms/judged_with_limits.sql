@@ -4,38 +4,38 @@
 -- Slots:  :root  the expression of alarms/root.sql
 --         :near  a condition on bucket that holds for all that stay
 SELECT
-  asked.channel_id AS channel_id,
+  judgement.channel_id AS channel_id,
   0 AS limit_no,
-  asked.judgement_no AS judgement_no,
-  asked.root AS root,
+  judgement.judgement_no AS judgement_no,
+  judgement.root AS root,
   span.reference AS reference,
   span.height AS height,
   span.cap AS cap,
   span.from_judgement AS judged_from,
-  asked.known_open AS known_open,
-  asked.known_zero AS known_zero
+  judgement.prior_open AS prior_open,
+  judgement.prior_zero AS prior_zero
 FROM (
   SELECT
     judged.channel_id AS channel_id,
     judged.judgement_no AS judgement_no,
     :root AS root,
-    -1 AS known_open,
-    CAST(NULL AS BIGINT) AS known_zero
+    -1 AS prior_open,
+    CAST(NULL AS BIGINT) AS prior_zero
   FROM judged_windows AS judged
   UNION ALL
   SELECT
     part.channel_id AS channel_id,
     bucket.judgement_no AS judgement_no,
     bucket.root AS root,
-    bucket.is_open AS known_open,
-    bucket.last_zero AS known_zero
+    bucket.is_open AS prior_open,
+    bucket.last_zero AS prior_zero
   FROM stored_visible_judgement AS bucket
   JOIN judged_until AS part ON part.version_id = bucket.version_id
   WHERE bucket.judgement_no < part.first_judgement
     AND bucket.judgement_no >= part.first_judgement - 50
     AND :near
-) AS asked
+) AS judgement
 JOIN limit_spans AS span
-  ON span.channel_id = asked.channel_id
-  AND asked.judgement_no >= span.from_judgement
-  AND asked.judgement_no < span.until_judgement
+  ON span.channel_id = judgement.channel_id
+  AND judgement.judgement_no >= span.from_judgement
+  AND judgement.judgement_no < span.until_judgement

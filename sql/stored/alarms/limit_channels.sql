@@ -21,16 +21,18 @@ SELECT
       member.window_length,
       member.stride,
       member.max_gap,
-      made.still_after,
-      CAST(FLOOR(made.target_floor * CAST(1073741824 AS DOUBLE) + CAST(5e-1 AS DOUBLE)) AS BIGINT)
+      version.still_after,
+      CAST(FLOOR(version.target_floor * CAST(1073741824 AS DOUBLE) + CAST(5e-1 AS DOUBLE)) AS BIGINT)
   ) AS settings_no,
-  CASE WHEN :heeding = 1 AND known.hit = 1 AND known.is_off = 1 THEN 'unrepresentative' ELSE :limit_reason END
-    AS limit_reason,
+  CASE
+    WHEN :heeding = 1 AND latest_limit.hit = 1 AND latest_limit.is_off = 1 THEN 'unrepresentative'
+    ELSE :limit_reason
+  END AS limit_reason,
   :hi_limit AS hi_limit,
   extent.vectors AS vectors,
   extent.calibration_length AS length,
   extent.order_ratio AS order_ratio,
-  CASE WHEN known.hit = 1 THEN known.limit_no ELSE 0 END AS limit_no,
+  CASE WHEN latest_limit.hit = 1 THEN latest_limit.limit_no ELSE 0 END AS limit_no,
   CASE
     WHEN scored.hit = 1 THEN CAST(
       FLOOR(
@@ -41,7 +43,7 @@ SELECT
     ELSE 0
   END AS judgements
 FROM active AS member
-JOIN stored_version AS made ON made.version_id = member.version_id
+JOIN stored_version AS version ON version.version_id = member.version_id
 JOIN stored_extent AS extent ON extent.version_id = member.version_id
 JOIN (
   SELECT
@@ -62,12 +64,12 @@ JOIN (
 LEFT JOIN (
   SELECT
     version_id,
-    MAX(made.limit_no) AS limit_no,
-    MAX(CASE WHEN made.cause = 'false_alarm' THEN 1 ELSE 0 END) AS is_off,
+    MAX(limit_row.limit_no) AS limit_no,
+    MAX(CASE WHEN limit_row.cause = 'false_alarm' THEN 1 ELSE 0 END) AS is_off,
     1 AS hit
-  FROM stored_limit AS made
+  FROM stored_limit AS limit_row
   GROUP BY version_id
-) AS known ON known.version_id = member.version_id
+) AS latest_limit ON latest_limit.version_id = member.version_id
 LEFT JOIN (
   SELECT version_id, MAX(bucket_no) AS newest_no, 1 AS hit
   FROM stored_visible_bucket

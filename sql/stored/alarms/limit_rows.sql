@@ -28,32 +28,32 @@ SELECT
 FROM active AS member
 LEFT JOIN (
   SELECT
-    made.version_id AS version_id,
-    made.limit_no AS limit_no,
-    made.from_judgement AS from_judgement,
-    made.cause AS cause,
-    made.asked AS asked,
-    made.family AS family,
-    made.blocks AS blocks,
-    made.g AS g,
-    made.centre AS centre,
-    made.spread AS spread,
-    made.reference AS reference,
-    made.height AS height,
-    made.cap AS cap,
-    made.quarters AS quarters,
-    made.basis AS basis,
-    made.order_ratio AS order_ratio,
-    made.judgements_per_day AS judgements_per_day,
-    made.rate AS rate,
-    made.stated_rate AS stated_rate,
-    made.reason AS reason,
+    limit_row.version_id AS version_id,
+    limit_row.limit_no AS limit_no,
+    limit_row.from_judgement AS from_judgement,
+    limit_row.cause AS cause,
+    limit_row.asked AS asked,
+    limit_row.family AS family,
+    limit_row.blocks AS blocks,
+    limit_row.g AS g,
+    limit_row.centre AS centre,
+    limit_row.spread AS spread,
+    limit_row.reference AS reference,
+    limit_row.height AS height,
+    limit_row.cap AS cap,
+    limit_row.quarters AS quarters,
+    limit_row.basis AS basis,
+    limit_row.order_ratio AS order_ratio,
+    limit_row.judgements_per_day AS judgements_per_day,
+    limit_row.rate AS rate,
+    limit_row.stated_rate AS stated_rate,
+    limit_row.reason AS reason,
     1 AS hit
-  FROM stored_limit AS made
+  FROM stored_limit AS limit_row
   JOIN (
     SELECT version_id, MAX(each_limit.limit_no) AS newest_no
     FROM stored_limit AS each_limit
     GROUP BY version_id
-  ) AS latest ON latest.version_id = made.version_id AND latest.newest_no = made.limit_no
+  ) AS latest ON latest.version_id = limit_row.version_id AND latest.newest_no = limit_row.limit_no
 ) AS newest ON newest.version_id = member.version_id
 ORDER BY member.asset, member.channel

@@ -14,19 +14,19 @@ SELECT
 FROM (
   SELECT
     part.channel_id AS channel_id,
-    made.limit_no AS limit_no,
-    made.from_judgement AS from_judgement,
-    CAST(ROW_NUMBER() OVER (PARTITION BY made.version_id ORDER BY made.limit_no DESC) AS BIGINT)
+    limit_row.limit_no AS limit_no,
+    limit_row.from_judgement AS from_judgement,
+    CAST(ROW_NUMBER() OVER (PARTITION BY limit_row.version_id ORDER BY limit_row.limit_no DESC) AS BIGINT)
       AS limits_back,
-    MIN(made.from_judgement) OVER (
-      PARTITION BY made.version_id
-      ORDER BY made.limit_no DESC
+    MIN(limit_row.from_judgement) OVER (
+      PARTITION BY limit_row.version_id
+      ORDER BY limit_row.limit_no DESC
       ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
     ) AS next_judgement,
-    made.reference AS reference,
-    made.height AS height,
-    made.cap AS cap
-  FROM stored_limit AS made
-  JOIN judged_until AS part ON part.version_id = made.version_id
+    limit_row.reference AS reference,
+    limit_row.height AS height,
+    limit_row.cap AS cap
+  FROM stored_limit AS limit_row
+  JOIN judged_until AS part ON part.version_id = limit_row.version_id
 ) AS spanned
 WHERE spanned.height IS NOT NULL

@@ -1,10 +1,10 @@
 -- Moved: the cells of vectors that are read again as they would be without each move (Phi, method section 3).
 -- Reads:  reread, moves
 -- A row:  one vector without one move; cell_key is NULL where a sample would be none.
--- Slots:  :samples   y_0, y_1, ... the samples without the move, each by stored/alarms/unmoved.sql
---         :codes     code_0, code_1, ... of them
---         :known     all of them are there
---         :cell_key  the mixed-radix integer of the codes
+-- Slots:  :samples     y_0, y_1, ... the samples without the move, each by stored/alarms/unmoved.sql
+--         :codes       code_0, code_1, ... of them
+--         :is_present  all of them are there
+--         :cell_key    the mixed-radix integer of the codes
 SELECT
   channel_id,
   support_id,
@@ -13,7 +13,7 @@ SELECT
   factor,
   displacement,
   novel,
-  CASE WHEN :known THEN CAST(:cell_key AS BIGINT) END AS cell_key
+  CASE WHEN :is_present THEN CAST(:cell_key AS BIGINT) END AS cell_key
 FROM (
   SELECT channel_id, support_id, window_no, move_no, factor, displacement, novel, :codes
   FROM (

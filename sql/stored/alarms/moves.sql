@@ -24,33 +24,33 @@ FROM (
     END AS displacement
   FROM (
     SELECT
-      placed.channel_id AS channel_id,
-      placed.support_id AS support_id,
-      placed.window_no AS window_no,
-      placed.lo AS lo,
-      placed.hi AS hi,
-      placed.q05 AS q05,
-      placed.q50 AS q50,
-      placed.low AS low,
-      placed.middle AS middle,
-      placed.high AS high,
-      placed.high - placed.low AS width,
-      placed.q95 - placed.q05 AS width_now,
+      quantiles.channel_id AS channel_id,
+      quantiles.support_id AS support_id,
+      quantiles.window_no AS window_no,
+      quantiles.lo AS lo,
+      quantiles.hi AS hi,
+      quantiles.q05 AS q05,
+      quantiles.q50 AS q50,
+      quantiles.low AS low,
+      quantiles.middle AS middle,
+      quantiles.high AS high,
+      quantiles.high - quantiles.low AS width,
+      quantiles.q95 - quantiles.q05 AS width_now,
       move.move_no AS move_no,
       CASE
         WHEN move.move_no = 0 THEN CAST(1 AS DOUBLE)
-        WHEN placed.high - placed.low BETWEEN CAST(1e-100 AS DOUBLE) AND CAST(1e100 AS DOUBLE)
-          AND placed.q95 - placed.q05 BETWEEN CAST(1e-100 AS DOUBLE) AND CAST(1e100 AS DOUBLE)
+        WHEN quantiles.high - quantiles.low BETWEEN CAST(1e-100 AS DOUBLE) AND CAST(1e100 AS DOUBLE)
+          AND quantiles.q95 - quantiles.q05 BETWEEN CAST(1e-100 AS DOUBLE) AND CAST(1e100 AS DOUBLE)
           THEN CASE move.move_no
             WHEN 1 THEN CAST(1 AS DOUBLE)
             WHEN 2
               THEN CASE
-                WHEN ABS(placed.middle) BETWEEN CAST(1e-100 AS DOUBLE) AND CAST(1e100 AS DOUBLE)
-                  AND ABS(placed.q50) BETWEEN CAST(1e-100 AS DOUBLE) AND CAST(1e100 AS DOUBLE)
-                  THEN placed.q50 / placed.middle
+                WHEN ABS(quantiles.middle) BETWEEN CAST(1e-100 AS DOUBLE) AND CAST(1e100 AS DOUBLE)
+                  AND ABS(quantiles.q50) BETWEEN CAST(1e-100 AS DOUBLE) AND CAST(1e100 AS DOUBLE)
+                  THEN quantiles.q50 / quantiles.middle
               END
-            WHEN 3 THEN (placed.q95 - placed.q05) / (placed.high - placed.low)
-            WHEN 4 THEN -((placed.q95 - placed.q05) / (placed.high - placed.low))
+            WHEN 3 THEN (quantiles.q95 - quantiles.q05) / (quantiles.high - quantiles.low)
+            WHEN 4 THEN -((quantiles.q95 - quantiles.q05) / (quantiles.high - quantiles.low))
           END
       END AS factor
     FROM (
@@ -70,7 +70,7 @@ FROM (
       FROM reread_usual AS part
       JOIN cohort AS member ON member.channel_id = part.channel_id
       JOIN stored_bounds AS learnt ON learnt.support_id = member.support_id
-    ) AS placed
+    ) AS quantiles
     CROSS JOIN (
       SELECT 0 AS move_no
       UNION ALL

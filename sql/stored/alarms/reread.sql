@@ -1,5 +1,5 @@
 -- Reread: scored vectors that are read again, with the samples that each is made of.
--- Reads:  placed, samples
+-- Reads:  scored_vectors, samples
 -- A row:  one vector that has a cell; its window is numbered as in banded.
 -- Slots:  :window   W, in vectors
 --         :delayed  x_1, x_2, ... the samples before the newest one, x_0, and the number of the program
@@ -12,7 +12,7 @@ SELECT
   visit.novel AS novel,
   newest.x_0 AS x_0,
   :carried
-FROM placed AS visit
+FROM scored_vectors AS visit
 JOIN (
   SELECT channel_id, time, value AS x_0, :delayed
   FROM samples

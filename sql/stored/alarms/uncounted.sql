@@ -18,15 +18,15 @@ FROM (
     judged.judgement_no AS judgement_no,
     judged.run_id AS run_id,
     MIN(judged.last_time) AS last_time,
-    MIN(made.first_scored) AS first_scored,
-    MIN(made.run_up_from) AS run_up_from,
+    MIN(version.first_scored) AS first_scored,
+    MIN(version.run_up_from) AS run_up_from,
     MIN(
       judged.bucket_no - CAST(
-        FLOOR((CAST(made.window_length AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(made.stride AS DOUBLE)) AS BIGINT
+        FLOOR((CAST(version.window_length AS DOUBLE) + CAST(5e-1 AS DOUBLE)) / CAST(version.stride AS DOUBLE)) AS BIGINT
       )
     ) AS bucket_before
   FROM stored_visible_episode AS raised
-  JOIN stored_version AS made ON made.version_id = raised.version_id
+  JOIN stored_version AS version ON version.version_id = raised.version_id
   JOIN stored_visible_judgement AS judged
     ON judged.version_id = raised.version_id
     AND judged.judgement_no >= raised.first_judgement
@@ -38,9 +38,9 @@ FROM (
 LEFT JOIN (
   SELECT DISTINCT version_id, judgement_no, run_id, 1 AS hit
   FROM stored_band_visit
-) AS known
-  ON known.version_id = wanted.version_id
-  AND known.judgement_no = wanted.judgement_no
-  AND known.run_id = wanted.run_id
-WHERE CASE WHEN known.hit = 1 THEN 0 ELSE 1 END = 1
+) AS band_visit
+  ON band_visit.version_id = wanted.version_id
+  AND band_visit.judgement_no = wanted.judgement_no
+  AND band_visit.run_id = wanted.run_id
+WHERE CASE WHEN band_visit.hit = 1 THEN 0 ELSE 1 END = 1
 ORDER BY wanted.version_id, wanted.judgement_no

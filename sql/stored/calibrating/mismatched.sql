@@ -12,7 +12,7 @@ SELECT
   words_differ
 FROM (
   SELECT
-    asked.version_id AS version_id,
+    wanted_version.version_id AS version_id,
     CASE WHEN paired.hit = 1 THEN paired.summed ELSE 0 END AS summed,
     CASE WHEN paired.hit = 1 THEN paired.support_differs ELSE 0 END AS support_differs,
     CASE WHEN paired.hit = 1 THEN paired.intervals_differ ELSE 0 END AS intervals_differ,
@@ -23,7 +23,7 @@ FROM (
     SELECT version_id
     FROM wanted
     GROUP BY version_id
-  ) AS asked
+  ) AS wanted_version
   LEFT JOIN (
     SELECT
       version_id,
@@ -34,7 +34,7 @@ FROM (
       CASE
         WHEN MIN(target_floor) <> MAX(target_floor) THEN 1
         WHEN MIN(calibrated_lo) <> MAX(calibrated_lo) OR MIN(calibrated_hi) <> MAX(calibrated_hi) THEN 1
-        WHEN MIN(lo_is_known) <> MAX(lo_is_known) OR MIN(hi_is_known) <> MAX(hi_is_known) THEN 1
+        WHEN MIN(has_lo) <> MAX(has_lo) OR MIN(has_hi) <> MAX(has_hi) THEN 1
         ELSE 0
       END AS range_differs,
       CASE
@@ -50,8 +50,8 @@ FROM (
         figures_sum,
         calibrated_lo,
         calibrated_hi,
-        CASE WHEN calibrated_lo IS NULL THEN 0 ELSE 1 END AS lo_is_known,
-        CASE WHEN calibrated_hi IS NULL THEN 0 ELSE 1 END AS hi_is_known,
+        CASE WHEN calibrated_lo IS NULL THEN 0 ELSE 1 END AS has_lo,
+        CASE WHEN calibrated_hi IS NULL THEN 0 ELSE 1 END AS has_hi,
         target_floor,
         settings_hash,
         method_hash,
@@ -65,8 +65,8 @@ FROM (
         figures_sum,
         calibrated_lo,
         calibrated_hi,
-        CASE WHEN calibrated_lo IS NULL THEN 0 ELSE 1 END AS lo_is_known,
-        CASE WHEN calibrated_hi IS NULL THEN 0 ELSE 1 END AS hi_is_known,
+        CASE WHEN calibrated_lo IS NULL THEN 0 ELSE 1 END AS has_lo,
+        CASE WHEN calibrated_hi IS NULL THEN 0 ELSE 1 END AS has_hi,
         target_floor,
         settings_hash,
         method_hash,
@@ -74,7 +74,7 @@ FROM (
       FROM stored_checksum
     ) AS both_sides
     GROUP BY version_id
-  ) AS paired ON paired.version_id = asked.version_id
+  ) AS paired ON paired.version_id = wanted_version.version_id
 ) AS compared
 WHERE summed = 0
   OR support_differs + intervals_differ + figures_differ + range_differs + words_differ > 0

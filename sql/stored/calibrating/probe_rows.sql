@@ -3,9 +3,9 @@
 -- A row:  one change of one support; members of a pool share theirs.
 SELECT
   numbered.stored_support_id AS support_id,
-  asked.change_no AS change_no,
-  asked.change_name AS change_name,
-  asked.vectors AS vectors,
-  asked.novel AS novel
-FROM probe AS asked
-JOIN numbering AS numbered ON numbered.channel_id = asked.support_id
+  outcome.change_no AS change_no,
+  outcome.change_name AS change_name,
+  outcome.vectors AS vectors,
+  outcome.novel AS novel
+FROM probe AS outcome
+JOIN numbering AS numbered ON numbered.channel_id = outcome.support_id

@@ -2,12 +2,12 @@
 -- Reads:  names, wanted
 -- A row:  one (asset, channel) pair.
 SELECT
-  found.asset AS asset,
-  found.channel AS channel,
-  found.readings AS readings,
-  found.without_time AS without_time,
-  found.missing_readings AS missing_readings,
-  found.earliest AS earliest,
-  found.latest AS latest
-FROM names AS found
-JOIN wanted AS asked ON asked.asset = found.asset AND asked.channel = found.channel
+  source_name.asset AS asset,
+  source_name.channel AS channel,
+  source_name.readings AS readings,
+  source_name.without_time AS without_time,
+  source_name.missing_readings AS missing_readings,
+  source_name.earliest AS earliest,
+  source_name.latest AS latest
+FROM names AS source_name
+JOIN wanted AS want ON want.asset = source_name.asset AND want.channel = source_name.channel

@@ -6,68 +6,68 @@
 --         found. Calibration begins at calibration_from, and teaches from taught_from on.
 -- Slots:  :monitor_id
 SELECT
-  made.version_id AS version_id,
-  made.channel_id AS channel_id,
-  made.support_id AS support_id,
+  version.version_id AS version_id,
+  version.channel_id AS channel_id,
+  version.support_id AS support_id,
   named.asset AS asset,
   named.channel AS channel,
-  made.parent_id AS parent_id,
-  made.version_no AS version_no,
-  made.status AS status,
-  made.reason AS reason,
-  made.m AS m,
-  made.tau AS tau,
-  made.bins AS bins,
-  made.window_length AS window_length,
-  made.stride AS stride,
-  made.max_gap AS max_gap,
-  made.still_after AS still_after,
-  made.score_from AS score_from,
-  made.target_floor AS target_floor,
-  made.least_vectors AS least_vectors,
-  made.is_robust AS is_robust,
-  made.calibration_end AS calibration_end,
-  made.first_scored AS first_scored,
-  made.calibration_readings AS calibration_readings,
+  version.parent_id AS parent_id,
+  version.version_no AS version_no,
+  version.status AS status,
+  version.reason AS reason,
+  version.m AS m,
+  version.tau AS tau,
+  version.bins AS bins,
+  version.window_length AS window_length,
+  version.stride AS stride,
+  version.max_gap AS max_gap,
+  version.still_after AS still_after,
+  version.score_from AS score_from,
+  version.target_floor AS target_floor,
+  version.least_vectors AS least_vectors,
+  version.is_robust AS is_robust,
+  version.calibration_end AS calibration_end,
+  version.first_scored AS first_scored,
+  version.calibration_readings AS calibration_readings,
   CASE WHEN taught.hit = 1 THEN taught.taught_from END AS taught_from,
   CASE WHEN healthy.hit = 1 THEN healthy.calibration_from END AS calibration_from,
   CASE WHEN done.hit = 1 THEN done.started END AS started,
   CASE
-    WHEN made.still_after IS NOT NULL THEN (made.m - 1) * made.tau + made.still_after - 1
-    WHEN made.m = 1 THEN 1
-    ELSE (made.m - 1) * made.tau
+    WHEN version.still_after IS NOT NULL THEN (version.m - 1) * version.tau + version.still_after - 1
+    WHEN version.m = 1 THEN 1
+    ELSE (version.m - 1) * version.tau
   END AS context_rows,
-  made.run_up_from AS run_up_from,
+  version.run_up_from AS run_up_from,
   CASE WHEN scale.hit = 1 THEN scale.lo END AS lo,
   CASE WHEN scale.hit = 1 THEN scale.hi END AS hi,
-  CASE WHEN latest.newest_id = made.version_id THEN 1 ELSE 0 END AS is_active,
+  CASE WHEN latest.newest_id = version.version_id THEN 1 ELSE 0 END AS is_active,
   CASE WHEN pruned.hit = 1 THEN pruned.first_bucket ELSE 0 END AS first_bucket,
   CASE WHEN pruned.hit = 1 THEN pruned.first_novel ELSE 0 END AS first_novel,
   CASE WHEN done.hit = 1 THEN done.read_to END AS read_to,
   CASE WHEN done.hit = 1 THEN done.counted_readings END AS counted_readings,
-  made.program_column AS program_column
-FROM stored_version AS made
-JOIN stored_channel AS named ON named.channel_id = made.channel_id
+  version.program_column AS program_column
+FROM stored_version AS version
+JOIN stored_channel AS named ON named.channel_id = version.channel_id
 JOIN (
   SELECT channel_id, MAX(version_id) AS newest_id
   FROM stored_version
   GROUP BY channel_id
-) AS latest ON latest.channel_id = made.channel_id
+) AS latest ON latest.channel_id = version.channel_id
 LEFT JOIN (
   SELECT support_id, MIN(learnt.calibrated_lo) AS lo, MIN(learnt.calibrated_hi) AS hi, 1 AS hit
   FROM stored_bounds AS learnt
   GROUP BY support_id
-) AS scale ON scale.support_id = made.support_id
+) AS scale ON scale.support_id = version.support_id
 LEFT JOIN (
   SELECT support_id, channel_id, MIN(part.first_time) AS taught_from, 1 AS hit
   FROM stored_block AS part
   GROUP BY support_id, channel_id
-) AS taught ON taught.support_id = made.support_id AND taught.channel_id = made.channel_id
+) AS taught ON taught.support_id = version.support_id AND taught.channel_id = version.channel_id
 LEFT JOIN (
   SELECT version_id, MIN(piece.time_from) AS calibration_from, 1 AS hit
   FROM stored_calibration AS piece
   GROUP BY version_id
-) AS healthy ON healthy.version_id = made.version_id
+) AS healthy ON healthy.version_id = version.version_id
 LEFT JOIN (
   SELECT
     version_id,
@@ -76,7 +76,7 @@ LEFT JOIN (
     1 AS hit
   FROM stored_horizon AS horizon
   GROUP BY version_id
-) AS pruned ON pruned.version_id = made.version_id
+) AS pruned ON pruned.version_id = version.version_id
 LEFT JOIN (
   SELECT
     version_id,
@@ -98,5 +98,5 @@ LEFT JOIN (
     FROM stored_finished_run
   ) AS run
   GROUP BY version_id
-) AS done ON done.version_id = made.version_id
+) AS done ON done.version_id = version.version_id
 WHERE named.monitor_id = :monitor_id

@@ -4,28 +4,28 @@
 -- A row:  one version with such.
 -- Slots:  :monitor_id
 SELECT
-  placed.version_id AS version_id,
+  band_sums.version_id AS version_id,
   CAST(COUNT(*) AS BIGINT) AS differing
 FROM (
   SELECT
     version_id,
     judgement_no,
     run_id,
-    CAST(SUM(told.visits) AS BIGINT) AS visits,
-    CAST(SUM(told.novel) AS BIGINT) AS novel
+    CAST(SUM(band_visit.visits) AS BIGINT) AS visits,
+    CAST(SUM(band_visit.novel) AS BIGINT) AS novel
   FROM (
     SELECT DISTINCT version_id, judgement_no, run_id, band, visits, novel
     FROM stored_band_visit
-  ) AS told
+  ) AS band_visit
   GROUP BY version_id, judgement_no, run_id
-) AS placed
+) AS band_sums
 JOIN stored_visible_judgement AS judged
-  ON judged.version_id = placed.version_id
-  AND judged.judgement_no = placed.judgement_no
-  AND judged.run_id = placed.run_id
-JOIN stored_version AS made ON made.version_id = placed.version_id
-JOIN stored_channel AS known ON known.channel_id = made.channel_id
-WHERE known.monitor_id = :monitor_id
-  AND (placed.visits <> 0 OR placed.novel <> 0)
-  AND (placed.visits <> made.window_length OR placed.novel <> judged.novel)
-GROUP BY placed.version_id
+  ON judged.version_id = band_sums.version_id
+  AND judged.judgement_no = band_sums.judgement_no
+  AND judged.run_id = band_sums.run_id
+JOIN stored_version AS version ON version.version_id = band_sums.version_id
+JOIN stored_channel AS channel_row ON channel_row.channel_id = version.channel_id
+WHERE channel_row.monitor_id = :monitor_id
+  AND (band_sums.visits <> 0 OR band_sums.novel <> 0)
+  AND (band_sums.visits <> version.window_length OR band_sums.novel <> judged.novel)
+GROUP BY band_sums.version_id

@@ -14,33 +14,33 @@ SELECT
     AS since
 FROM (
   SELECT
-    placed.version_id AS version_id,
-    placed.first_time AS first_time,
+    course.version_id AS version_id,
+    course.first_time AS first_time,
     CASE
-      WHEN placed.places = 1 AND placed.bucket_no <= placed.first_bucket THEN 0
-      WHEN placed.bucket_no = placed.previous_no + 1 THEN 0
+      WHEN course.places = 1 AND course.bucket_no <= course.first_bucket THEN 0
+      WHEN course.bucket_no = course.previous_no + 1 THEN 0
       ELSE 1
     END AS is_torn,
     CASE
-      WHEN placed.first_time > placed.last_time OR placed.context_time > placed.last_time THEN 1
-      WHEN placed.places > 1 AND placed.first_time <= placed.previous_time THEN 1
+      WHEN course.first_time > course.last_time OR course.context_time > course.last_time THEN 1
+      WHEN course.places > 1 AND course.first_time <= course.previous_time THEN 1
       ELSE 0
     END AS is_misplaced,
     CASE
-      WHEN placed.samples < placed.stride OR placed.novel > placed.stride THEN 1
-      WHEN placed.out_of_range > placed.novel OR placed.out_of_range < 0 THEN 1
-      WHEN placed.still IS NULL THEN CASE WHEN placed.still_after IS NULL THEN 0 ELSE 1 END
-      WHEN placed.still_after IS NULL THEN 1
-      WHEN placed.still < 0 OR placed.still > placed.samples - placed.stride THEN 1
+      WHEN course.samples < course.stride OR course.novel > course.stride THEN 1
+      WHEN course.out_of_range > course.novel OR course.out_of_range < 0 THEN 1
+      WHEN course.still IS NULL THEN CASE WHEN course.still_after IS NULL THEN 0 ELSE 1 END
+      WHEN course.still_after IS NULL THEN 1
+      WHEN course.still < 0 OR course.still > course.samples - course.stride THEN 1
       ELSE 0
     END AS is_miscounted,
     CASE
-      WHEN (placed.bucket_no + 1) * placed.stride < placed.window_length
-        THEN CASE WHEN placed.novel_in_window IS NULL THEN 0 ELSE 1 END
-      WHEN placed.novel_in_window IS NULL THEN 1
-      WHEN earlier.hit = 1 AND placed.novel_in_window <> placed.novel_so_far - earlier.novel_so_far THEN 1
-      WHEN placed.places * placed.stride = placed.window_length
-        AND placed.novel_in_window <> placed.novel_so_far
+      WHEN (course.bucket_no + 1) * course.stride < course.window_length
+        THEN CASE WHEN course.novel_in_window IS NULL THEN 0 ELSE 1 END
+      WHEN course.novel_in_window IS NULL THEN 1
+      WHEN earlier.hit = 1 AND course.novel_in_window <> course.novel_so_far - earlier.novel_so_far THEN 1
+      WHEN course.places * course.stride = course.window_length
+        AND course.novel_in_window <> course.novel_so_far
         THEN 1
       ELSE 0
     END AS is_unsummed
@@ -81,7 +81,7 @@ FROM (
       ON written.version_id = bucket.version_id
       AND written.bucket_no = bucket.bucket_no
       AND written.run_id = bucket.run_id
-  ) AS placed
+  ) AS course
   LEFT JOIN (
     SELECT
       bucket.version_id AS version_id,
@@ -97,7 +97,7 @@ FROM (
     FROM stored_visible_bucket AS bucket
     JOIN checked AS version ON version.version_id = bucket.version_id
   ) AS earlier
-    ON earlier.version_id = placed.version_id
-    AND earlier.end_number = placed.begin_number
+    ON earlier.version_id = course.version_id
+    AND earlier.end_number = course.begin_number
 ) AS judged
 GROUP BY version_id

@@ -31,7 +31,7 @@ FROM (
       MAX(cell.last_time) AS latest,
       MAX(
         CASE
-          WHEN cell.visits < 1 OR cell.first_time > cell.last_time OR known.hit = 1 THEN 1
+          WHEN cell.visits < 1 OR cell.first_time > cell.last_time OR healthy_cell.hit = 1 THEN 1
           ELSE 0
         END
       ) AS is_inconsistent,
@@ -41,7 +41,7 @@ FROM (
     LEFT JOIN (
       SELECT support_id, cell_key, 1 AS hit
       FROM stored_support
-    ) AS known ON known.support_id = version.support_id AND known.cell_key = cell.cell_key
+    ) AS healthy_cell ON healthy_cell.support_id = version.support_id AND healthy_cell.cell_key = cell.cell_key
     GROUP BY cell.version_id, cell.bucket_no
   ) AS held ON held.version_id = bucket.version_id AND held.bucket_no = bucket.bucket_no
   WHERE bucket.bucket_no >= version.first_novel

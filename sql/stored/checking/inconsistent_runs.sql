@@ -63,7 +63,9 @@ FROM (
         AND (settled.last_time <> run.settled_time OR settled.context_time <> run.settled_context)
         THEN 1
       WHEN run.rows_read < run.context_rows OR run.context_rows < 0 THEN 1
-      WHEN own.hit = 1 AND (own.last_time > run.read_to OR own.samples > run.rows_read - run.context_rows) THEN 1
+      WHEN run_buckets.hit = 1
+        AND (run_buckets.last_time > run.read_to OR run_buckets.samples > run.rows_read - run.context_rows)
+        THEN 1
       WHEN run.run_id < run.reading_id THEN 0
       WHEN run.settled_bucket > run.last_staying
         AND run.settled_bucket >= version.first_bucket
@@ -121,7 +123,7 @@ FROM (
         FROM stored_run AS recorded
         GROUP BY version_id, run_id
       ) AS making ON making.version_id = finished.version_id AND making.run_id = finished.run_id
-    ) AS kept
+    ) AS run_record
   ) AS run
   JOIN checked AS version ON version.version_id = run.version_id
   LEFT JOIN (
@@ -165,7 +167,7 @@ FROM (
       1 AS hit
     FROM stored_visible_bucket AS written
     GROUP BY version_id, run_id
-  ) AS own ON own.version_id = run.version_id AND own.run_id = run.run_id
+  ) AS run_buckets ON run_buckets.version_id = run.version_id AND run_buckets.run_id = run.run_id
   LEFT JOIN (
     SELECT version_id, run_id, MAX(read.still_since) AS standing_from, 1 AS hit
     FROM stored_run AS read

@@ -7,23 +7,23 @@
 --         stored_visible_bucket, stored_visible_novel, stored_program, stored_unknown_program
 -- A row:  one kind of them that there is: the table, what it lacks, and how many.
 -- Slots:  :whole  1 where a run and a calibration are there as a whole or not at all
-SELECT of_table, lacks, CAST(SUM(looked.found) AS BIGINT) AS found
+SELECT of_table, lacks, CAST(SUM(looked.orphans) AS BIGINT) AS orphans
 FROM (
-  SELECT 'channel' AS of_table, 'monitor' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS found
+  SELECT 'channel' AS of_table, 'monitor' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS orphans
   FROM stored_channel AS orphan
   LEFT JOIN (
     SELECT DISTINCT monitor_id, 1 AS hit
     FROM stored_monitor
   ) AS owner ON owner.monitor_id = orphan.monitor_id
   UNION ALL
-  SELECT 'proof' AS of_table, 'monitor' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS found
+  SELECT 'proof' AS of_table, 'monitor' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS orphans
   FROM stored_proof AS orphan
   LEFT JOIN (
     SELECT DISTINCT monitor_id, 1 AS hit
     FROM stored_monitor
   ) AS owner ON owner.monitor_id = orphan.monitor_id
   UNION ALL
-  SELECT orphan.of_table AS of_table, 'monitor' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS found
+  SELECT orphan.of_table AS of_table, 'monitor' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS orphans
   FROM (
     SELECT 'episode' AS of_table, monitor_id
     FROM stored_episode
@@ -36,7 +36,7 @@ FROM (
     FROM stored_monitor
   ) AS owner ON owner.monitor_id = orphan.monitor_id
   UNION ALL
-  SELECT 'version' AS of_table, 'channel' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS found
+  SELECT 'version' AS of_table, 'channel' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS orphans
   FROM stored_version AS orphan
   LEFT JOIN (
     SELECT DISTINCT channel_id, 1 AS hit
@@ -47,7 +47,7 @@ FROM (
     orphan.of_table AS of_table,
     'version' AS lacks,
     CASE WHEN owner.hit = 1 THEN 0 WHEN :whole = 0 AND orphan.is_written_first = 1 THEN 0 ELSE 1 END
-      AS found
+      AS orphans
   FROM (
     SELECT DISTINCT 'bucket' AS of_table, version_id, 0 AS is_written_first
     FROM stored_bucket
@@ -90,7 +90,7 @@ FROM (
   SELECT
     orphan.of_table AS of_table,
     'version' AS lacks,
-    CASE WHEN owner.hit = 1 THEN 0 WHEN :whole = 0 THEN 0 ELSE 1 END AS found
+    CASE WHEN owner.hit = 1 THEN 0 WHEN :whole = 0 THEN 0 ELSE 1 END AS orphans
   FROM (
     SELECT DISTINCT 'bounds' AS of_table, support_id
     FROM stored_bounds
@@ -122,7 +122,7 @@ FROM (
       WHEN owner.hit = 1 THEN 0
       WHEN :whole = 1 OR elsewhere.hit = 1 THEN 1
       ELSE 0
-    END AS found
+    END AS orphans
   FROM (
     SELECT DISTINCT 'bucket' AS of_table, version_id, run_id
     FROM stored_bucket
@@ -142,7 +142,7 @@ FROM (
     FROM stored_run
   ) AS elsewhere ON elsewhere.run_id = orphan.run_id
   UNION ALL
-  SELECT 'novel' AS of_table, 'bucket' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS found
+  SELECT 'novel' AS of_table, 'bucket' AS lacks, CASE WHEN owner.hit = 1 THEN 0 ELSE 1 END AS orphans
   FROM (
     SELECT DISTINCT version_id, bucket_no
     FROM stored_visible_novel
@@ -152,7 +152,7 @@ FROM (
     FROM stored_visible_bucket
   ) AS owner ON owner.version_id = orphan.version_id AND owner.bucket_no = orphan.bucket_no
   UNION ALL
-  SELECT doubled.of_table AS of_table, 'another key' AS lacks, 1 AS found
+  SELECT doubled.of_table AS of_table, 'another key' AS lacks, 1 AS orphans
   FROM (
     SELECT 'monitor' AS of_table, monitor_id AS doubled_id
     FROM stored_monitor
@@ -180,5 +180,5 @@ FROM (
     HAVING COUNT(*) > 1
   ) AS doubled
 ) AS looked
-WHERE looked.found = 1
+WHERE looked.orphans = 1
 GROUP BY of_table, lacks

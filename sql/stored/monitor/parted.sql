@@ -11,7 +11,7 @@
 SELECT
   aged.version_id AS version_id,
   CASE
-    WHEN aged.is_known = 0 THEN 3
+    WHEN aged.is_read = 0 THEN 3
     WHEN aged.read_from < aged.since
       THEN CASE WHEN aged.looked_at <= aged.started AND aged.started - aged.looked_at < :day THEN 0 ELSE 2 END
     WHEN aged.latest_from - aged.read_from - :lookback <= aged.newest - aged.latest_from THEN 1
@@ -29,20 +29,20 @@ FROM (
     read_from,
     read_until,
     looked_at,
-    is_known,
+    is_read,
     started,
     newest,
     since,
-    MAX(CASE WHEN is_known = 1 AND read_from >= since THEN read_from END) OVER () AS latest_from
+    MAX(CASE WHEN is_read = 1 AND read_from >= since THEN read_from END) OVER () AS latest_from
   FROM (
-    SELECT version_id, read_from, read_until, looked_at, is_known, started, newest, :since AS since
+    SELECT version_id, read_from, read_until, looked_at, is_read, started, newest, :since AS since
     FROM (
       SELECT
         frozen.version_id AS version_id,
         frozen.read_from AS read_from,
         frozen.read_until AS read_until,
         frozen.looked_at AS looked_at,
-        frozen.is_known AS is_known,
+        frozen.is_read AS is_read,
         watch.started AS started,
         CASE WHEN frozen.newest_read < watch.latest THEN frozen.newest_read ELSE watch.latest END AS newest
       FROM (
@@ -51,7 +51,7 @@ FROM (
           read_from,
           read_until,
           looked_at,
-          CASE WHEN looked_at > CAST(:long_ago AS BIGINT) THEN 1 ELSE 0 END AS is_known,
+          CASE WHEN looked_at > CAST(:long_ago AS BIGINT) THEN 1 ELSE 0 END AS is_read,
           MAX(
             CASE WHEN looked_at > CAST(:long_ago AS BIGINT) THEN read_until ELSE CAST(:long_ago AS BIGINT) END
           ) OVER () AS newest_read

@@ -6,17 +6,17 @@
 SELECT watch.started AS proved_at
 FROM clock AS watch
 CROSS JOIN (
-  SELECT MAX(last.made_at) AS made_at
+  SELECT MAX(last.start_time) AS start_time
   FROM (
-    SELECT watched.created AS made_at
+    SELECT watched.created AS start_time
     FROM stored_monitor AS watched
     CROSS JOIN clock AS begun
     WHERE watched.monitor_id = :monitor_id AND watched.created <= begun.started
     UNION ALL
-    SELECT proof.proved_at AS made_at
+    SELECT proof.proved_at AS start_time
     FROM stored_proof AS proof
     CROSS JOIN clock AS begun
     WHERE proof.monitor_id = :monitor_id AND proof.differences = 0 AND proof.proved_at <= begun.started
   ) AS last
 ) AS latest
-WHERE CASE WHEN watch.started - latest.made_at < :day THEN 0 ELSE 1 END = 1
+WHERE CASE WHEN watch.started - latest.start_time < :day THEN 0 ELSE 1 END = 1

@@ -23,7 +23,7 @@ FROM (
     pruned.window_length AS window_length,
     pruned.stride AS stride,
     pruned.versions_back AS versions_back,
-    CASE WHEN known.hit = 1 THEN known.last_staying ELSE full_bucket.bucket_no END AS last_staying,
+    CASE WHEN run_record.hit = 1 THEN run_record.last_staying ELSE full_bucket.bucket_no END AS last_staying,
     MAX(full_bucket.last_time) OVER (PARTITION BY full_bucket.version_id) AS newest_of_version,
     MAX(full_bucket.last_time) OVER (PARTITION BY pruned.channel_id) AS newest_of_channel
   FROM stored_visible_bucket AS full_bucket
@@ -31,6 +31,6 @@ FROM (
   LEFT JOIN (
     SELECT version_id, last_staying, 1 AS hit
     FROM recorded
-  ) AS known ON known.version_id = full_bucket.version_id
+  ) AS run_record ON run_record.version_id = full_bucket.version_id
   WHERE pruned.goes = 0
 ) AS dated

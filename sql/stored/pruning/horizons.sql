@@ -10,8 +10,8 @@ SELECT
   version_id,
   first_bucket,
   CASE
-    WHEN found.first_novel > found.first_bucket THEN found.first_novel
-    ELSE found.first_bucket
+    WHEN horizon.first_novel > horizon.first_bucket THEN horizon.first_novel
+    ELSE horizon.first_bucket
   END AS first_novel
 FROM (
   SELECT
@@ -59,4 +59,4 @@ FROM (
     ) AS unseen ON unseen.version_id = aged.version_id AND unseen.bucket_no = aged.bucket_no
   ) AS counted
   GROUP BY version_id
-) AS found
+) AS horizon

@@ -5,12 +5,14 @@ SELECT version_id, first_bucket, first_novel
 FROM (
   SELECT
     staying.version_id AS version_id,
-    CASE WHEN staying.first_bucket > seen.oldest_bucket THEN staying.first_bucket ELSE known.first_bucket END
+    CASE WHEN staying.first_bucket > seen.oldest_bucket THEN staying.first_bucket ELSE current_horizon.first_bucket END
       AS first_bucket,
-    CASE WHEN staying.first_novel > known.first_novel THEN staying.first_novel ELSE known.first_novel END
-      AS first_novel,
-    known.first_bucket AS known_bucket,
-    known.first_novel AS known_novel
+    CASE
+      WHEN staying.first_novel > current_horizon.first_novel THEN staying.first_novel
+      ELSE current_horizon.first_novel
+    END AS first_novel,
+    current_horizon.first_bucket AS current_bucket,
+    current_horizon.first_novel AS current_novel
   FROM horizons AS staying
   JOIN (
     SELECT version_id, MIN(bucket_no) AS oldest_bucket
@@ -20,17 +22,17 @@ FROM (
   JOIN (
     SELECT
       version_id,
-      MAX(every_one.first_bucket) AS first_bucket,
-      MAX(every_one.first_novel) AS first_novel
+      MAX(horizon.first_bucket) AS first_bucket,
+      MAX(horizon.first_novel) AS first_novel
     FROM (
       SELECT version_id, 0 AS first_bucket, 0 AS first_novel
       FROM horizons
       UNION ALL
       SELECT version_id, first_bucket, first_novel
       FROM stored_horizon
-    ) AS every_one
+    ) AS horizon
     GROUP BY version_id
-  ) AS known ON known.version_id = staying.version_id
+  ) AS current_horizon ON current_horizon.version_id = staying.version_id
   WHERE staying.first_bucket > seen.oldest_bucket OR staying.first_novel > seen.oldest_bucket
-) AS told
-WHERE first_bucket > known_bucket OR first_novel > known_novel
+) AS change
+WHERE first_bucket > current_bucket OR first_novel > current_novel

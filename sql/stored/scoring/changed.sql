@@ -6,41 +6,41 @@
 SELECT
   member.channel_id AS channel_id,
   member.version_id AS version_id,
-  CASE WHEN found.hit = 1 THEN found.first_bucket ELSE member.first_bucket END AS first_bucket,
-  CASE WHEN found.hit = 1 THEN found.differs ELSE 0 END AS differs
+  CASE WHEN difference.hit = 1 THEN difference.first_bucket ELSE member.first_bucket END AS first_bucket,
+  CASE WHEN difference.hit = 1 THEN difference.differs ELSE 0 END AS differs
 FROM cohort AS member
 LEFT JOIN (
   SELECT
     channel_id,
     COALESCE(
-      MIN(CASE WHEN made_rows <> former_rows THEN bucket_no END),
+      MIN(CASE WHEN new_rows <> former_rows THEN bucket_no END),
       MAX(bucket_no) + 1
     ) AS first_bucket,
-    MAX(CASE WHEN made_rows <> former_rows THEN 1 ELSE 0 END) AS differs,
+    MAX(CASE WHEN new_rows <> former_rows THEN 1 ELSE 0 END) AS differs,
     1 AS hit
   FROM (
     SELECT
       channel_id,
       bucket_no,
-      CAST(SUM(is_made) AS BIGINT) AS made_rows,
-      CAST(SUM(1 - is_made) AS BIGINT) AS former_rows
+      CAST(SUM(is_new) AS BIGINT) AS new_rows,
+      CAST(SUM(1 - is_new) AS BIGINT) AS former_rows
     FROM (
       SELECT
-        made.channel_id AS channel_id,
-        made.bucket_no AS bucket_no,
-        made.first_time AS first_time,
-        made.last_time AS last_time,
-        made.context_time AS context_time,
-        made.samples AS samples,
+        bucket.channel_id AS channel_id,
+        bucket.bucket_no AS bucket_no,
+        bucket.first_time AS first_time,
+        bucket.last_time AS last_time,
+        bucket.context_time AS context_time,
+        bucket.samples AS samples,
         CASE WHEN calm.hit = 1 THEN calm.still END AS still,
-        made.novel AS novel,
-        made.out_of_range AS out_of_range,
-        1 AS is_made
-      FROM new_buckets AS made
+        bucket.novel AS novel,
+        bucket.out_of_range AS out_of_range,
+        1 AS is_new
+      FROM new_buckets AS bucket
       LEFT JOIN (
         SELECT channel_id, bucket_no, still, 1 AS hit
         FROM still_counts
-      ) AS calm ON calm.channel_id = made.channel_id AND calm.bucket_no = made.bucket_no
+      ) AS calm ON calm.channel_id = bucket.channel_id AND calm.bucket_no = bucket.bucket_no
       UNION ALL
       SELECT
         channel_id,
@@ -52,7 +52,7 @@ LEFT JOIN (
         still,
         novel,
         out_of_range,
-        0 AS is_made
+        0 AS is_new
       FROM former_buckets
     ) AS counted
     GROUP BY
@@ -69,7 +69,7 @@ LEFT JOIN (
     SELECT
       cell.channel_id AS channel_id,
       cell.bucket_no AS bucket_no,
-      1 AS made_rows,
+      1 AS new_rows,
       CASE WHEN same.hit = 1 THEN 1 ELSE 0 END AS former_rows
     FROM (
       SELECT
@@ -94,4 +94,4 @@ LEFT JOIN (
       AND same.last_time = cell.last_time
   ) AS matched
   GROUP BY channel_id
-) AS found ON found.channel_id = member.channel_id
+) AS difference ON difference.channel_id = member.channel_id

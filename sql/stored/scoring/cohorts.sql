@@ -45,16 +45,16 @@ FROM (
   FROM plan AS frozen
   CROSS JOIN (
     SELECT
-      COALESCE(MAX(known.read_from), CAST(:long_ago AS BIGINT)) AS youngest,
+      COALESCE(MAX(read_range.read_from), CAST(:long_ago AS BIGINT)) AS youngest,
       CASE
-        WHEN MAX(known.read_until) > :latest THEN CAST(:latest AS BIGINT)
-        ELSE COALESCE(MAX(known.read_until), CAST(:long_ago AS BIGINT))
+        WHEN MAX(read_range.read_until) > :latest THEN CAST(:latest AS BIGINT)
+        ELSE COALESCE(MAX(read_range.read_until), CAST(:long_ago AS BIGINT))
       END AS newest
     FROM (
       SELECT frozen.read_from AS read_from, frozen.read_until AS read_until
       FROM plan AS frozen
       WHERE frozen.looked_at > CAST(:long_ago AS BIGINT) AND :chosen
-    ) AS known
+    ) AS read_range
   ) AS fleet
   WHERE :chosen
 ) AS member

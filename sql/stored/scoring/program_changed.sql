@@ -17,17 +17,17 @@ LEFT JOIN (
     SELECT
       channel_id,
       bucket_no,
-      CAST(SUM(is_made) AS BIGINT) AS made_rows,
-      CAST(SUM(1 - is_made) AS BIGINT) AS former_rows
+      CAST(SUM(is_new) AS BIGINT) AS new_rows,
+      CAST(SUM(1 - is_new) AS BIGINT) AS former_rows
     FROM (
-      SELECT channel_id, bucket_no, program, readings, first_time, last_time, 1 AS is_made
+      SELECT channel_id, bucket_no, program, readings, first_time, last_time, 1 AS is_new
       FROM unknown_programs
       UNION ALL
-      SELECT channel_id, bucket_no, program, readings, first_time, last_time, 0 AS is_made
+      SELECT channel_id, bucket_no, program, readings, first_time, last_time, 0 AS is_new
       FROM former_programs
     ) AS counted
     GROUP BY channel_id, bucket_no, program, readings, first_time, last_time
   ) AS matched
-  WHERE made_rows <> former_rows
+  WHERE new_rows <> former_rows
   GROUP BY channel_id
 ) AS ran ON ran.channel_id = part.channel_id

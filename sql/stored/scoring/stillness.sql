@@ -4,10 +4,10 @@
 --         the first of the others that last to the newest sample, NULL where that one does not stand still.
 -- Slots:  :long_ago  an instant before all others
 SELECT
-  placed.channel_id AS channel_id,
-  CAST(SUM(CASE WHEN placed.time < member.first_scored THEN placed.still ELSE 0 END) AS BIGINT) AS context_still,
+  movement.channel_id AS channel_id,
+  CAST(SUM(CASE WHEN movement.time < member.first_scored THEN movement.still ELSE 0 END) AS BIGINT) AS context_still,
   MIN(
-    CASE WHEN placed.time > placed.last_moving AND placed.time >= member.first_scored THEN placed.time END
+    CASE WHEN movement.time > movement.last_moving AND movement.time >= member.first_scored THEN movement.time END
   ) AS still_since
 FROM (
   SELECT
@@ -17,6 +17,6 @@ FROM (
     MAX(CASE WHEN still = 0 THEN time ELSE CAST(:long_ago AS BIGINT) END) OVER (PARTITION BY channel_id)
       AS last_moving
   FROM moving_codes
-) AS placed
-JOIN cohort AS member ON member.channel_id = placed.channel_id
-GROUP BY placed.channel_id
+) AS movement
+JOIN cohort AS member ON member.channel_id = movement.channel_id
+GROUP BY movement.channel_id

@@ -4,10 +4,10 @@
 -- Reads:  stored_visible_bucket, newest, oldest_rows
 -- A row:  one version that has a bucket and an oldest row; begin_time is where its buckets begin.
 SELECT
-  known.version_id AS version_id,
-  known.oldest_bucket AS oldest_bucket,
-  known.begin_time AS begin_time,
-  known.last_staying AS last_staying,
+  extent.version_id AS version_id,
+  extent.oldest_bucket AS oldest_bucket,
+  extent.begin_time AS begin_time,
+  extent.last_staying AS last_staying,
   staying.last_time AS last_time,
   staying.context_time AS context_time
 FROM (
@@ -29,6 +29,6 @@ FROM (
   JOIN newest AS ending ON ending.version_id = bucket.version_id
   JOIN oldest_rows AS held ON held.version_id = bucket.version_id
   GROUP BY bucket.version_id
-) AS known
+) AS extent
 JOIN stored_visible_bucket AS staying
-  ON staying.version_id = known.version_id AND staying.bucket_no = known.last_staying
+  ON staying.version_id = extent.version_id AND staying.bucket_no = extent.last_staying

@@ -2,15 +2,15 @@
 -- Reads:  new_buckets, changed
 -- A row:  one bucket.
 SELECT
-  made.channel_id AS channel_id,
-  made.version_id AS version_id,
-  made.bucket_no AS bucket_no,
-  made.first_time AS first_time,
-  made.last_time AS last_time,
-  made.context_time AS context_time,
-  made.samples AS samples,
-  made.novel AS novel,
-  made.out_of_range AS out_of_range
-FROM new_buckets AS made
-JOIN changed AS part ON part.channel_id = made.channel_id
-WHERE made.bucket_no >= part.first_bucket
+  bucket.channel_id AS channel_id,
+  bucket.version_id AS version_id,
+  bucket.bucket_no AS bucket_no,
+  bucket.first_time AS first_time,
+  bucket.last_time AS last_time,
+  bucket.context_time AS context_time,
+  bucket.samples AS samples,
+  bucket.novel AS novel,
+  bucket.out_of_range AS out_of_range
+FROM new_buckets AS bucket
+JOIN changed AS part ON part.channel_id = bucket.channel_id
+WHERE bucket.bucket_no >= part.first_bucket

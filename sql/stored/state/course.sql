@@ -8,10 +8,10 @@ SELECT
   version_id,
   stretches_back,
   CASE
-    WHEN MAX(placed.novel_in_window) IS NOT NULL
-      THEN CAST(MAX(placed.novel_in_window) AS DOUBLE) / CAST(MAX(placed.window_length) AS DOUBLE)
+    WHEN MAX(stretch_bucket.novel_in_window) IS NOT NULL
+      THEN CAST(MAX(stretch_bucket.novel_in_window) AS DOUBLE) / CAST(MAX(stretch_bucket.window_length) AS DOUBLE)
   END AS hi,
-  MIN(placed.first_time) AS first_time
+  MIN(stretch_bucket.first_time) AS first_time
 FROM (
   SELECT
     full_bucket.version_id AS version_id,
@@ -37,7 +37,7 @@ FROM (
       ) AS stretch
     FROM status_rows
   ) AS watched ON watched.version_id = full_bucket.version_id
-) AS placed
+) AS stretch_bucket
 WHERE stretches_back BETWEEN 0 AND 63
 GROUP BY version_id, stretches_back
 ORDER BY version_id, stretches_back DESC

@@ -7,9 +7,9 @@
 SELECT
   version_id,
   kind,
-  CAST(MAX(told.differing) AS BIGINT) AS differing,
-  MIN(told.read_from) AS since,
-  MAX(told.read_to) AS until
+  CAST(MAX(difference.differing) AS BIGINT) AS differing,
+  MIN(difference.read_from) AS since,
+  MAX(difference.read_to) AS until
 FROM (
   SELECT
     version_id,
@@ -28,9 +28,9 @@ FROM (
         PARTITION BY run.version_id ORDER BY run.run_id DESC ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING
       ) AS read_since
     FROM stored_finished_run AS run
-    JOIN status_rows AS known ON known.version_id = run.version_id
-    WHERE known.differing_contexts > 0
+    JOIN status_rows AS status ON status.version_id = run.version_id
+    WHERE status.differing_contexts > 0
   ) AS finished
   WHERE read_to IS NOT NULL AND surplus <> 0 AND (runs_back = 1 OR read_from < read_since)
-) AS told
+) AS difference
 GROUP BY version_id, kind

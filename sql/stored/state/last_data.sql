@@ -12,5 +12,5 @@ JOIN (
   WHERE done.read_to IS NOT NULL
   GROUP BY done.version_id
 ) AS reading ON reading.version_id = run.version_id AND reading.newest_id = run.run_id
-JOIN status_rows AS known ON known.version_id = run.version_id
+JOIN status_rows AS status ON status.version_id = run.version_id
 WHERE run.read_to IS NOT NULL

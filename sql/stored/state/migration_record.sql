@@ -12,8 +12,8 @@ SELECT
   CAST(:applied_at AS BIGINT) AS applied_at,
   :gam_version AS gam_version
 FROM (
-  SELECT CAST(COUNT(*) AS BIGINT) AS found
+  SELECT CAST(COUNT(*) AS BIGINT) AS records
   FROM stored_migration AS earlier
   WHERE earlier.number = :number
 ) AS recorded
-WHERE found = 0
+WHERE records = 0

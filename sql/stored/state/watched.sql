@@ -21,31 +21,31 @@ SELECT
   END AS is_watched
 FROM (
   SELECT
-    placed.version_id AS version_id,
-    placed.is_judged AS is_judged,
-    placed.is_looked_at AS is_looked_at,
-    placed.last_data AS last_data,
-    placed.newest_data AS newest_data,
+    version.version_id AS version_id,
+    version.is_judged AS is_judged,
+    version.is_looked_at AS is_looked_at,
+    version.last_data AS last_data,
+    version.newest_data AS newest_data,
     CASE
-      WHEN placed.is_looked_at = 0 THEN 0
-      WHEN placed.last_data IS NULL AND CAST(:park_after AS BIGINT) < 4611686018427387904 THEN 1
-      WHEN placed.newest_data - placed.last_data > CAST(:park_after AS BIGINT) THEN 1
+      WHEN version.is_looked_at = 0 THEN 0
+      WHEN version.last_data IS NULL AND CAST(:park_after AS BIGINT) < 4611686018427387904 THEN 1
+      WHEN version.newest_data - version.last_data > CAST(:park_after AS BIGINT) THEN 1
       ELSE 0
     END AS is_silent,
     CASE
       WHEN CAST(:has_clock AS BIGINT) = 1
-        AND CAST(:now AS BIGINT) - placed.newest_data > CAST(:park_after AS BIGINT)
+        AND CAST(:now AS BIGINT) - version.newest_data > CAST(:park_after AS BIGINT)
         THEN 0
       ELSE 1
     END AS is_fed
   FROM (
     SELECT
-      known.version_id AS version_id,
-      CASE WHEN known.judged_by IS NOT NULL THEN 1 ELSE 0 END AS is_judged,
-      CASE WHEN known.looked_at IS NOT NULL THEN 1 ELSE 0 END AS is_looked_at,
+      status_row.version_id AS version_id,
+      CASE WHEN status_row.judged_by IS NOT NULL THEN 1 ELSE 0 END AS is_judged,
+      CASE WHEN status_row.looked_at IS NOT NULL THEN 1 ELSE 0 END AS is_looked_at,
       CASE WHEN reading.hit = 1 THEN reading.last_data END AS last_data,
       CASE WHEN fleet.channels > 0 THEN fleet.newest_data END AS newest_data
-    FROM status_rows AS known
+    FROM status_rows AS status_row
     CROSS JOIN (
       SELECT
         CAST(COUNT(*) AS BIGINT) AS channels,
@@ -56,6 +56,6 @@ FROM (
     LEFT JOIN (
       SELECT version_id, last_data, 1 AS hit
       FROM last_data
-    ) AS reading ON reading.version_id = known.version_id
-  ) AS placed
+    ) AS reading ON reading.version_id = status_row.version_id
+  ) AS version
 ) AS held

@@ -1,5 +1,5 @@
--- Oldest kept: where the buckets of the versions of a monitor begin, and their judgements: pruning may have left
--- more of these.
+-- Oldest buckets: where the buckets and the judgements of each version of a monitor begin. Pruning may have left more
+-- judgements than buckets.
 -- Reads:  checked, stored_visible_bucket, stored_visible_judgement
 -- A row:  one version that has a bucket; oldest_judgement is NULL where nothing is judged.
 SELECT

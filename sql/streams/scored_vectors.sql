@@ -1,4 +1,4 @@
--- Placed, in stored order: the scored vectors of one channel with number and novelty (Eq. 4). For DuckDB, by
+-- Scored vectors, in stored order: those of one channel with number and novelty (Eq. 4). For DuckDB, by
 -- streams/vectors.sql: rows are numbered as they come, and cells looked up in the bits of one support. Proof: no row
 -- has doubled = 1, so that rows came by time.
 -- Reads:  support_bits, streamed, the samples of the channel from its run-up on

@@ -1,5 +1,5 @@
--- Own cells: in how many of its blocks a channel visited the cells that no other member of its pool did; what the
--- order ratio expects (alarms, section 3).
+-- Exclusive cells: in how many of its blocks a channel visited the cells that no other member of its pool visited. The
+-- order ratio needs them (alarms, section 3).
 -- Reads:  cells
 -- A row:  one number of blocks of one channel.
 SELECT

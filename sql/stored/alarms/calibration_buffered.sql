@@ -1,4 +1,4 @@
--- Kept buffered: what alarms/buffered.sql counted at calibration.
+-- Calibration buffered: what alarms/buffered.sql counted at calibration.
 -- Reads:  active, stored_buffered
 -- A row:  one block of one channel, for one width.
 SELECT

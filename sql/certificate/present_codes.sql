@@ -1,5 +1,5 @@
--- Known codes: of channels that may have vectors with a missing sample, which ones are there: 1, and 0 where one is
--- missing. The vectors of these codes tell how many contain one, wherever calibration ends.
+-- Present codes: which samples are there, of channels that may have vectors with a missing sample: 1, and 0 where one
+-- is missing. The vectors of these codes tell how many contain a missing sample, wherever calibration ends.
 -- Reads:  samples, channels
 -- A row:  one sample.
 -- Slots:  :settings_no  the set of parameters that this step serves
