@@ -2,8 +2,8 @@
 
 Sphinx reads the pages where they lie: its source folder is the checkout, and this folder holds the
 settings alone. So a link such as ``../sql/README.md`` is the same link on the forge, in an editor and on
-the site, and no page is copied or written anew. The navigation is read off the lists of ``docs/index.md``.
-A page that no list names is a warning, and every warning ends the build.
+the site, and no page is copied. The lists of ``docs/index.md`` are the navigation. A page
+that no list names is a warning, and every warning ends the build.
 """
 
 import posixpath

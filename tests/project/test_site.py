@@ -47,44 +47,39 @@ def test_no_page_loads_anything_from_the_network(built: Path) -> None:
         assert re.findall(r"url\(['\"]?(?:https?:)?//|@import", sheet.read_text()) == [], sheet
 
 
-@pytest.mark.parametrize(
-    ("link", "named"),
-    [
-        ("[none](there.md)", "there.md"),
-        ("[none](../there.sql)", "there.sql"),
-        ("[none](../there)", "'../there'"),
-        ("[none](#there)", "there"),
-        ("[none](page.md#there)", "there"),
-        ("![none](there.svg)", "there.svg"),
-        ("[page](page.md#a-heading), [itself](index.md), [file](../LICENSE), [folder](../sql)", ""),
-    ],
-)
-def test_a_dead_link_ends_the_build(link: str, named: str, tmp_path: Path) -> None:
-    """A page, a file, a folder, a heading here or on another page, a picture; the last case has none."""
-    pages = tmp_path / "pages"
-    for name, text in {
-        "docs/index.md": f"# All\n\n{link}\n\n## Start\n\n- [page](page.md)\n- [s](../sql/README.md)\n",
+#: Dead links, each with what its warning names: a page, a file, a folder, headings, a picture.
+DEAD = {
+    "[none](there.md)": "'there.md'",
+    "[none](../there.sql)": "'../there.sql'",
+    "[none](../there)": "'../there'",
+    "[none](#here)": "'here'",
+    "[none](page.md#there)": "'docs/page': 'there'",
+    "![none](there.svg)": "there.svg",
+}
+ALIVE = ("[a](page.md)", "[b](page.md#a-heading)", "[c](#all)", "[d](../LICENSE)", "[e](../sql)")
+
+
+@pytest.mark.parametrize("dead", [True, False])
+def test_a_dead_link_or_a_page_that_no_list_names_ends_the_build(dead: bool, tmp_path: Path) -> None:
+    links = [*(DEAD if dead else ()), *ALIVE]
+    pages = {
+        "docs/index.md": "# All\n\n## Start\n\n- [page](page.md)\n- [sql](../sql/README.md)\n",
         "docs/page.md": "# Page\n\n## A heading\n\nText.\n",
         "sql/README.md": "# SQL\n",
         "LICENSE": "free\n",
-    }.items():
-        (pages / name).parent.mkdir(parents=True, exist_ok=True)
-        (pages / name).write_text(text, encoding="utf-8")
-    done = site_of_pages.build(pages, tmp_path / "out")
-    assert done.returncode == int(bool(named))
-    assert named in done.stderr
-    assert done.stderr.count("WARNING") == int(bool(named)), done.stderr
-
-
-def test_a_page_that_no_list_names_ends_the_build(tmp_path: Path) -> None:
-    pages = tmp_path / "pages" / "docs"
-    pages.mkdir(parents=True)
-    (pages / "index.md").write_text("# All\n\n## Start\n\n- [listed](listed.md)\n", encoding="utf-8")
-    (pages / "listed.md").write_text("# Listed\n", encoding="utf-8")
-    (pages / "lonely.md").write_text("# Lonely\n", encoding="utf-8")
-    done = site_of_pages.build(pages.parent, tmp_path / "out")
-    assert done.returncode == 1
-    assert ("lonely.md" in done.stderr, "listed.md" in done.stderr) == (True, False)
+    }
+    pages["docs/index.md"] += "\n## Links\n\n" + "\n\n".join(links) + "\n"
+    if dead:
+        pages["docs/lonely.md"] = "# Lonely\n"
+    for name, text in pages.items():
+        (tmp_path / "pages" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "pages" / name).write_text(text, encoding="utf-8")
+    done = site_of_pages.build(tmp_path / "pages", tmp_path / "out")
+    assert done.returncode == int(dead), done.stderr
+    warnings = [line for line in done.stderr.splitlines() if "WARNING" in line]
+    for named in (*DEAD.values(), "lonely.md"):
+        assert sum(named in line for line in warnings) == int(dead), (named, done.stderr)
+    assert len(warnings) == (len(DEAD) + 1 if dead else 0), done.stderr
 
 
 def test_no_warning_is_suppressed() -> None:

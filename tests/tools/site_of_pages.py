@@ -1,4 +1,4 @@
-"""The site of all pages, in build/site: ``python tests/tools/site_of_pages.py``. A warning is an error."""
+"""The site of all pages, in build/site: ``python tests/tools/site_of_pages.py``. Warnings are errors."""
 
 import subprocess
 import sys
