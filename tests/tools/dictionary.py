@@ -8,9 +8,9 @@ from state_names import called
 HEAD = """\
 # The tables of the state
 
-What `gam migrate` makes, with the usual prefix. The same words are comments in the database: of columns
-where people and other tools read, of tables and views everywhere. Times are integers: microseconds
-since 1970 (UTC), or steps of the source's counter.
+This page lists every table, view and column that `gam migrate` makes, with the usual prefix. The same
+words are comments in the database: of columns where people and other tools read, of tables and views
+everywhere. Times are integers: microseconds since 1970 (UTC), or steps of the source's counter.
 
 First what people and other tools read; then, as `gam_state_...`,
 [what only gam-db uses](#what-only-gam-db-uses).
