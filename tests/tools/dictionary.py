@@ -8,16 +8,18 @@ from state_names import called
 HEAD = """\
 # The tables of the state
 
-What `gam migrate` makes, with the usual prefix. The same words are comments in the database: of columns
-where people and other tools read, of tables and views everywhere. Times are integers: microseconds
-since 1970 (UTC), or steps of the source's counter.
+This page lists every table, view and column that `gam migrate` makes, with the usual prefix. The same
+words are comments in the database: of columns where people and other tools read, of tables and views
+everywhere. Times are integers: microseconds since 1970 (UTC), or steps of the source's counter.
 
 First what people and other tools read; then, as `gam_state_...`,
 [what only gam-db uses](#what-only-gam-db-uses).
+
+## What people and other tools read
 """
 
 APART = """\
-# What only gam-db uses
+## What only gam-db uses
 
 Runs write and read these; they may change with any version.
 """
@@ -26,7 +28,7 @@ Runs write and read these; they may change with any version.
 def section(name: str, definition: Definition) -> str:
     """One table or view."""
     kind = "view" if definition.is_view else "table"
-    lines = [f"## {called(name)} ({kind})", "", f"{definition.comment.name}.", ""]
+    lines = [f"### {called(name)} ({kind})", "", f"{definition.comment.name}.", ""]
     columns = {} if definition.is_view else {one.name: one for one in definition.create.this.expressions}
     lines += ["| column | type | |", "|---|---|---|"] if columns else ["| column | |", "|---|---|"]
     for name, said in definition.columns.items():

@@ -23,6 +23,8 @@ CLASSES = {
 HEAD = """\
 # Engines
 
+This page says what was run on which engine, how to address it, and what it cannot promise.
+
 gam-db's SQL is written once and rendered for each engine; how much is known of it at work differs.
 Version and date are those of the last run of the tests. `gam --version --verbose` prints what is
 installed here.
@@ -38,6 +40,32 @@ type or function that the engine has not goes unseen. GoogleSQL's reference impl
 every name and type as BigQuery does and runs the statements, but it is not the service.
 """
 
+#: How the engines that gam-db connects to are addressed.
+ADDRESSES = {
+    "duckdb": "`plant.duckdb`",
+    "sqlite": "`sqlite:///plant.db`",
+    "postgres": "`postgresql://user@host/plant`, password in `PGPASSWORD`",
+    "mariadb": "`mariadb://user@host/plant`, password in `MYSQL_PWD`",
+    "clickhouse": (
+        "`clickhouse://user@host:8123/plant`, password in `CLICKHOUSE_PASSWORD`; `chdb:///folder` in "
+        "this process"
+    ),
+    "spark": "`spark:///srv/folder`, tables as Parquet in it; or your own session",
+}
+
+ADDRESSED = """\
+## Addresses
+
+`--database`, `gam_db.connect` and `engine=` take an address, and Python an open connection as well:
+
+| engine | address | install |
+|---|---|---|
+"""
+
+SLASHES = """
+What follows three slashes begins in the current folder, or with one slash more at the root
+(`sqlite:////srv/plant.db`); only Spark's folder is always named from the root.
+"""
 
 AGES = """\
 ## Which versions
@@ -55,6 +83,16 @@ which the file that is named runs the same tests:
   `uv pip install --target FOLDER --no-deps --resolution lowest "duckdb>=2.0,<3"` makes one,
   `highest` the other.
 """
+
+
+def addresses() -> str:
+    """Return the table of addresses."""
+    rows = []
+    for name, address in ADDRESSES.items():
+        extra = engine_named(name).extra
+        install = f'`pip install "gam-db[{extra}]"`' if extra else ""
+        rows.append(f"| {engine_named(name).title} | {address} | {install} |\n")
+    return "".join([ADDRESSED, *rows, SLASHES])
 
 
 def text() -> str:
@@ -76,7 +114,7 @@ def text() -> str:
     lines += ["", *(f"- **{name}**: {said}." for name, said in CLASSES.items()), ""]
     lines += ["## What an engine cannot promise", ""]
     lines += [f"- {engine_named(name).title}: {engine_named(name).limits}" for name in NAMES]
-    return "\n".join([*lines, "", AGES, LIMITS])
+    return "\n".join([*lines, "", addresses(), AGES, LIMITS])
 
 
 if __name__ == "__main__":

@@ -67,6 +67,29 @@ STEPS = (
         2,
     ),
     (
+        "Which alarms are open? Exit code 2 says that somebody should look, so a scheduler can tell.",
+        "gam alarms --database plant.duckdb",
+        2,
+    ),
+    (
+        "Why? The first two sentences say what happened and what to do next. Then come the judgements, "
+        "the values at which the signal stands out, and the query that shows the rows.",
+        "gam alarm 1 --database plant.duckdb",
+        0,
+    ),
+    (
+        "Somebody looks: the brake of j2 drags. The label keeps that: the next calibration leaves this "
+        "time out.",
+        'gam label 1 true_fault --note "brake of j2 drags" --database plant.duckdb',
+        0,
+    ),
+    (
+        "The report is one HTML file. It shows all machines, and of each signal its readings, its "
+        "healthy states and its new states. [The page](report.md) explains it.",
+        "gam report --database plant.duckdb --out report.html",
+        0,
+    ),
+    (
         "The same in Python, of a data frame:",
         """\
 import pandas
@@ -84,8 +107,9 @@ print(health.to_pandas().groupby(["asset", "channel"]).hi.last().round(3))
 HEAD = """\
 # The first hour
 
-From a checkout to a machine that is watched: `python tests/tools/first_hour.py > docs/first-hour.md`
-walks it and writes this page, a test compares. Words are explained in [words.md](words.md).
+This page leads from a checkout to a watched machine, its first alarm, the explanation of the alarm, a
+label and a report. Every output is real: `python tests/tools/first_hour.py > docs/first-hour.md` runs
+the commands and writes this page, and a test compares. [words.md](words.md) explains the words.
 
 ```console
 $ git clone REPOSITORY gam-db && cd gam-db
@@ -167,7 +191,17 @@ def place() -> Iterator[Path]:
 
 def page(parts: Iterable[str]) -> str:
     """Return the page of all parts."""
-    return "\n".join([HEAD, *parts])
+    return "\n".join([HEAD, *parts, TAIL])
+
+
+TAIL = """\
+## What comes next
+
+- [Choose settings](settings.md): what to set, and what to read in the certificate.
+- [Notify](notify.md): send new alarms by mail, to Microsoft Teams or to a webhook.
+- [Runs on a schedule](schedule.md): run `gam score` every hour.
+- [What it cannot see](limits.md): read this before you trust a quiet machine.
+"""
 
 
 if __name__ == "__main__":
