@@ -17,8 +17,8 @@ from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row
 from gam_db.settings.calibration import Calibration
 from gam_db.settings.setting import settings_of
+from gam_db.stored.alarms import labels as stored
 from gam_db.stored.alarms import limits as stored_limits
-from gam_db.stored.alarms import told as stored
 from gam_db.stored.state import kind_of
 
 #: Episodes shown unless all are asked for.

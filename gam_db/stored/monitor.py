@@ -28,8 +28,8 @@ from gam_db.settings.calibration import Calibration
 from gam_db.settings.parameters import Parameters, pattern_matches
 from gam_db.settings.source import AnySource, repeat_of
 from gam_db.stored import lengths
+from gam_db.stored.alarms import labels as stored_alarms
 from gam_db.stored.alarms import limits
-from gam_db.stored.alarms import told as stored_alarms
 from gam_db.stored.calibrating import calibrate, without
 from gam_db.stored.checking import Checked, check_state
 from gam_db.stored.checking.proving import keep

@@ -41,7 +41,7 @@ from gam_db.selection.neighbours import add_dimensions, add_embedding
 from gam_db.selection.search import Search
 from gam_db.settings.parameters import RUNGS
 from gam_db.settings.source import Programs, Source, WideSource, readings
-from gam_db.stored.alarms import told as alarms
+from gam_db.stored.alarms import labels as alarms
 from gam_db.stored.monitor import Monitor
 from gam_db.stored.planning.setting import Setting
 from gam_db.stored.planning.steps import scoring_steps

@@ -6,7 +6,7 @@ from sqlglot import exp
 
 import gam_db
 import scripts
-from gam_db.stored.alarms import told as alarms
+from gam_db.stored.alarms import labels as alarms
 from gam_db.stored.monitor import Monitor
 from strategies import Row
 from test_falsified import ALARMS, CALIBRATED, CALM, ENDS, LOOKBACK, PARAMETERS, made

@@ -22,7 +22,7 @@ import harness
 import scripts
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.errors import ConflictError, ParameterError
-from gam_db.stored.alarms import told as alarms
+from gam_db.stored.alarms import labels as alarms
 from gam_db.stored.monitor import Monitor
 from sets import amounts
 from strategies import Row

@@ -22,8 +22,8 @@ from gam_db.method.adding import add
 from gam_db.method.alarms import FAR, NEAR
 from gam_db.stored.alarms.episodes import LIVE, changes, pending
 from gam_db.stored.alarms.judging import BEFORE, UNTIL, buckets_of, judging_steps
+from gam_db.stored.alarms.labels import DECISIONS, KINDS
 from gam_db.stored.alarms.limits import CHOSEN, learnt
-from gam_db.stored.alarms.told import DECISIONS, KINDS
 from gam_db.stored.checking.again import compared
 from gam_db.stored.planning import Row, by
 from gam_db.stored.state import State
