@@ -10,7 +10,7 @@ import scripts
 from by_hand import rows, step
 from gam_db.alarms.advising import advise, promise, signs_of
 from gam_db.alarms.figures import advice_of, figures, with_figures
-from gam_db.stored.alarms import told
+from gam_db.stored.alarms import labels
 from gam_db.stored.monitor import Monitor
 from strategies import Row
 
@@ -172,7 +172,7 @@ def raised(session: Any, m: int, **channels: list[list[float]]) -> list[dict[str
     monitor.migrate()
     monitor.calibrate()
     monitor.score()
-    found = told.alarms(monitor.state, monitor.name).to_pylist()
+    found = labels.alarms(monitor.state, monitor.name).to_pylist()
     counted = with_figures(found, figures(monitor.state.rows, monitor.name))
     return sorted(counted, key=lambda row: str(row["channel"]))
 
