@@ -116,12 +116,13 @@ def for_databend(statement: str) -> str:
     """Return a statement without what Databend 1.2.453 has not; Snowflake's documentation has all of it.
 
     Temporary tables (they came later). Comments of views. The microseconds of an instant by DATE_PART, and
-    SYSDATE. ESCAPE after LIKE: its sign is the backslash. A tuple before IN in DELETE: the key is written as
+    SYSDATE. The unit of a number of TO_TIMESTAMP_NTZ, which is guessed: microseconds from 1971 on. ESCAPE after LIKE: its sign is the backslash. A tuple before IN in DELETE: the key is written as
     one text. And where rows of constants are joined under a window its executor panics (unable append
     column), unless the WITH entry of these rows is marked MATERIALIZED.
     """
     statement = re.sub(r"\ACREATE TEMPORARY TABLE", "CREATE TABLE", statement)
     statement = statement.replace("DATE_PART(EPOCH_MICROSECOND, ", "TO_INT64(").replace("SYSDATE()", "NOW()")
+    statement = re.sub(r"\bTO_TIMESTAMP_[NL]TZ\((.*?), 6\)", r"TO_TIMESTAMP(\1)", statement)
     statement = _LIKE.sub(_by_backslash, statement)
     if statement.startswith("CREATE OR REPLACE VIEW"):
         head, between, body = statement.partition(" AS\n")

@@ -8,6 +8,7 @@ of gam-db: the relatives pin versions of what gam-db needs, too.
 import contextlib
 import os
 import pickle
+import re
 import sys
 import warnings
 from collections.abc import Callable
@@ -42,10 +43,10 @@ def databend() -> tuple[str, Run]:
 
     def run(statement: str) -> Any:
         frame = session.sql(statement)
-        if not statement.lstrip().startswith(("SELECT", "WITH")):
-            frame.collect()
-            return None
-        return frame.to_arrow_table()
+        if re.match(r"(\s*--[^\n]*\n)*\s*(SELECT|WITH)\b", statement):
+            return frame.to_arrow_table()
+        frame.collect()
+        return None
 
     return importlib.metadata.version("databend"), run
 
@@ -65,7 +66,7 @@ def main() -> None:
             try:
                 answer = ("found", run(statement))
             except BaseException as error:  # a panic of Rust is no Exception
-                answer = ("refused", str(error))
+                answer = ("refused", str(error).partition("\n\n   0: ")[0])  # and no stack
 
 
 if __name__ == "__main__":
