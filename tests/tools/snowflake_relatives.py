@@ -1,8 +1,8 @@
 """Snowflake's SQL on two relatives, and a driver on each: fakesnow and Databend's embedded wheel.
 
-``GAM_SNOWFLAKES`` is the folder of an environment that holds both (.ci/snowflakes.txt): they pin versions of
-what gam-db needs, too, so each runs in a process of that environment (:mod:`snowflake_worker`). fakesnow
-reads Snowflake's words and runs them on DuckDB. Databend is an engine of its own with most of these words;
+``GAM_SNOWFLAKES`` is the folder of an environment that holds both (.ci/snowflakes.txt): they pin versions
+of what gam-db needs, too, so each runs in a process of that environment (:mod:`snowflake_worker`).
+fakesnow reads Snowflake's words and runs them on DuckDB. Databend is an engine with most of these words;
 what version 1.2.453 has not is taken out of the text here (:func:`for_databend`), and nowhere else.
 """
 
@@ -59,17 +59,17 @@ class Relative:
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
         )
-        self._shared = {"databend": for_databend}.get(name, lambda statement: statement)
+        self._shared: Callable[[str], str] = {"databend": for_databend}.get(name, str)
         self.version: str = self._answer()
 
-    def run(self, statement: str) -> pa.Table | None:
-        """Run a statement; return its rows, None of one that has none.
+    def run(self, statement: str, as_it_is: bool = False) -> pa.Table | None:
+        """Run a statement, without what the relative has not; return its rows, if there are any.
 
         Raises:
             SnowflakeError: it is refused.
         """
         assert self._process.stdin
-        pickle.dump(self._shared(statement), self._process.stdin)
+        pickle.dump(statement if as_it_is else self._shared(statement), self._process.stdin)
         self._process.stdin.flush()
         return self._answer()
 
@@ -115,54 +115,66 @@ _ENTRY = re.compile(r"(?<=[\s,])(\w+ AS )\((?=\s)")
 def for_databend(statement: str) -> str:
     """Return a statement without what Databend 1.2.453 has not; Snowflake's documentation has all of it.
 
-    Temporary tables (they came later). Comments of views. The microseconds of an instant by DATE_PART, and
-    SYSDATE. The unit of a number of TO_TIMESTAMP_NTZ, which is guessed: microseconds from 1971 on. ESCAPE after LIKE: its sign is the backslash. A tuple before IN in DELETE: the key is written as
-    one text. And where rows of constants are joined under a window its executor panics (unable append
-    column), unless the WITH entry of these rows is marked MATERIALIZED.
+    - Temporary tables: they are tables, which :meth:`SnowflakeDriver.run` drops.
+    - Comments of views: left out.
+    - The microseconds of an instant by DATE_PART, and SYSDATE: TO_INT64, NOW.
+    - The unit of a number in TO_TIMESTAMP_NTZ: TO_TIMESTAMP guesses it, microseconds from 1971 on.
+    - ESCAPE after LIKE: the sign is the backslash.
+    - Several columns before IN (SELECT ...) in DELETE: asked for by EXISTS.
+    - Rows of constants that are joined under a window, at which its executor panics (unable append
+      column): their WITH entry is marked MATERIALIZED.
     """
     statement = re.sub(r"\ACREATE TEMPORARY TABLE", "CREATE TABLE", statement)
-    statement = statement.replace("DATE_PART(EPOCH_MICROSECOND, ", "TO_INT64(").replace("SYSDATE()", "NOW()")
+    statement = statement.replace("DATE_PART(EPOCH_MICROSECOND, ", "TO_INT64(").replace(
+        "SYSDATE()", "NOW()"
+    )
     statement = re.sub(r"\bTO_TIMESTAMP_[NL]TZ\((.*?), 6\)", r"TO_TIMESTAMP(\1)", statement)
     statement = _LIKE.sub(_by_backslash, statement)
     if statement.startswith("CREATE OR REPLACE VIEW"):
         head, between, body = statement.partition(" AS\n")
         statement = _COMMENTS.sub("", head) + between + body
-    if statement.startswith("DELETE"):
-        statement = _by_text(statement)
+    statement = _correlated(statement)
     return _ENTRY.sub(_marked, statement)
 
 
 def _by_backslash(like: re.Match[str]) -> str:
     """Return LIKE with a pattern that is escaped by backslashes, each written twice in a text."""
-    return f"LIKE {re.sub('!(.)', lambda sign: sign[1] if sign[1] == '!' else BACKSLASH + sign[1], like[1])}"
+    return "LIKE " + re.sub(
+        "!(.)", lambda sign: ("" if sign[1] == "!" else BACKSLASH) + sign[1], like[1]
+    )
+
+
+def _closing(text: str, opening: int) -> int:
+    """Return the place of the parenthesis that closes one."""
+    depth = 0
+    for place in range(opening, len(text)):
+        depth += (text[place] == "(") - (text[place] == ")")
+        if not depth:
+            return place
+    raise AssertionError(text[opening : opening + 200])
 
 
 def _marked(entry: re.Match[str]) -> str:
     """Return the beginning of a WITH entry, marked if the entry reads no table."""
-    depth, text = 0, entry.string[entry.end() - 1 :]
-    for place, sign in enumerate(text):
-        depth += (sign == "(") - (sign == ")")
-        if not depth:
-            is_constant = re.search(r"\bFROM\b", text[:place]) is None
-            return f"{entry[1]}{'MATERIALIZED ' * is_constant}("
-    return entry[0]
+    body = entry.string[entry.end() : _closing(entry.string, entry.end() - 1)]
+    is_constant = re.search(r"\bFROM\b", body) is None
+    return f"{entry[1]}{'MATERIALIZED ' * is_constant}("
 
 
-def _by_text(statement: str) -> str:
-    """Return a DELETE whose key of several columns is compared as one text."""
-    head = re.search(r"WHERE\s+\(([\w, ]+)\) IN \(\s*SELECT\s+([\w., ]+?)\s+FROM\b", statement)
-    if not head:
+def _correlated(statement: str) -> str:
+    """Return a DELETE that asks for its key of several columns by EXISTS."""
+    among = re.search(r"\ADELETE FROM (\S+)\s+WHERE\s+\(([\w, ]+)\) IN \(", statement)
+    if not among:
         return statement
-    keys, selected = (
-        f"CONCAT_WS(',', {', '.join(f'CAST({one.strip()} AS VARCHAR)' for one in names.split(','))})"
-        for names in head.groups()
-    )
-    start = f"WHERE {keys} IN (SELECT {selected} FROM"
-    return statement[: head.start()] + start + statement[head.end() :]
+    closing = _closing(statement, among.end() - 1)
+    query = statement[among.end() : closing]
+    same = [f"among.{name.strip()} = {among[1]}.{name.strip()}" for name in among[2].split(",")]
+    there = f"EXISTS (SELECT 1 FROM ({query}) AS among WHERE {' AND '.join(same)})"
+    return f"DELETE FROM {among[1]} WHERE {there}{statement[closing + 1 :]}"
 
 
 def _is_comment(statement: str) -> bool:
-    """Tell whether a statement has nothing but comments, as the lines have with which a script begins."""
+    """Tell whether a statement has nothing but comments, as the first lines of a script have."""
     return all(line.startswith("--") for line in statement.strip().splitlines())
 
 
@@ -193,7 +205,7 @@ def _written(value: Any) -> str:
 class SnowflakeDriver(Driver):
     """A relative as a driver; see :class:`gam_db.engines.driver.Driver`.
 
-    What Python sends goes statement by statement, and nothing of it is undone; scripts have transactions.
+    What Python sends goes statement by statement, and nothing of it is undone; a script can be.
     """
 
     engine = SNOWFLAKE
@@ -217,7 +229,7 @@ class SnowflakeDriver(Driver):
         """Run a script as a command line does, in a session of its own, and to the first error.
 
         Snowflake commits before each definition, which the relatives do not: a script that has one in a
-        transaction is no good. Its temporary tables go with its session, and so does what is not committed.
+        transaction is no good. Temporary tables go with the session, and so does what is not committed.
         """
         is_open, made = False, []
         try:
@@ -238,10 +250,15 @@ class SnowflakeDriver(Driver):
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
         types = {one.name: exp.DataType.build(_type_of(one.type)) for one in rows.schema}
         self.execute(self.engine.text(temporary(with_columns(table, types))))
+        self.append(table, rows)
+
+    def append(self, table: exp.Table, rows: pa.Table) -> None:
+        """Append rows to a table, as values in the text of statements."""
+        names = ", ".join(rows.column_names)
         told = [f"({', '.join(map(_written, row.values()))})" for row in rows.to_pylist()]
         for start in range(0, len(told), 5_000):
             text = ", ".join(told[start : start + 5_000])
-            self.execute(f"INSERT INTO {self.engine.text(table)} VALUES {text}")
+            self.execute(f"INSERT INTO {self.engine.text(table)} ({names}) VALUES {text}")
 
     def tables(self) -> list[tuple[str, ...]]:
         return [(name,) for name in self.relations(None)]
