@@ -157,8 +157,7 @@ class Engine:
     #: How a script replaces the one before, in one transaction: ``replace`` (CREATE OR REPLACE),
     #: ``rename`` (built beside it, then renamed) or ``drop``; empty where nothing undoes it.
     swaps: str = ""
-    #: Rewrites for names that are put in an order: equal ones are equal bytes.
-    ordering: Sequence[Rewrite] = ()
+    ordering: Sequence[Rewrite] = ()  # for names that are put in an order: equal ones are equal bytes
     drops_several: bool = False  # whether DROP takes several names
     #: What its printed queries may leave out, of :data:`gam_db.composing.brief.FORMS`.
     brief: Sequence[str] = field(default=(), hash=False)
@@ -173,6 +172,7 @@ class Engine:
     extra: str | None = None  # of this package, that installs its driver; None for none
     transactions: bool = True  # whether statements can be undone together
     undoes_definitions: bool = True  # whether that holds of tables and views that were made, too
+    commits_definitions: bool = False  # whether a transaction ends where a temporary table is made
     limits: str = ""  # what it cannot promise, and what a user has to know
     #: For one whose tables give their rows in the order in which they were stored, and whose windows
     #: without an order follow it (:mod:`gam_db.study.streaming`); None for all others.

@@ -19,7 +19,7 @@ from gam_db.composing.plan import Kind, Plan
 from gam_db.engines.base import DAY, deletion
 from gam_db.errors import EngineError, ParameterError, StateError
 from gam_db.export.reading import Reading
-from gam_db.export.statements import Script, commented, tidied
+from gam_db.export.statements import Script, command, commented, tidied
 from gam_db.method.adding import add
 from gam_db.method.programs import gathered
 from gam_db.reading.ahead import tolerance
@@ -231,7 +231,7 @@ class _RunScript:
     def _publish(self) -> None:
         """Append what was counted, as one transaction, unless somebody else wrote meanwhile."""
         script, tables = self.script, self.monitor.tables
-        script.add(_command(self.engine.begins), "Publish, unless somebody else did so since.")
+        script.begin("Publish, unless somebody else did so since.")
         for statement in locking(tables, self.monitor_id):
             script.add(statement)
         near = planned_runs()
@@ -253,7 +253,7 @@ class _RunScript:
             self._append(commit)
             script.tables = of_run
         self._clear()
-        script.add(_command("COMMIT"))
+        script.add(command("COMMIT"))
 
     def _append(self, plan: Plan) -> None:
         for name, kind, into, _, _ in plan.statements:
@@ -322,8 +322,3 @@ class _RunScript:
 _SHARED = ("cohort", "counted", "samples", "timeline", "recount")
 
 _LENGTHS = ("tau", "window_length", "stride")
-
-
-def _command(words: str) -> exp.Expr:
-    first, _, more = words.partition(" ")
-    return exp.Command(this=first, expression=more)

@@ -17,6 +17,8 @@ from gam_db.method.adding import add
 #: Signs in a line of a comment.
 _WIDTH = 94
 
+_EMPTY = "Empty; the transaction fills it, which would end where a table is made."
+
 
 class Script:
     """Statements in order, each with its comment; ``tables`` are those that they read, by name.
@@ -30,6 +32,13 @@ class Script:
         self.engine, self.tables = engine, dict(tables)
         self.parts: list[tuple[str, exp.Expr]] = []
         self.verified: list[exp.Table] = []
+        self._apart: int | None = None  # the place of tables that a transaction fills but cannot make
+
+    def begin(self, comment: str) -> None:
+        """Begin a transaction."""
+        if self.engine.commits_definitions:
+            self._apart = len(self.parts)
+        self.add(command(self.engine.begins), comment)
 
     def keep(self, name: str, query: exp.Query, comment: str = "", called: str = "") -> None:
         """Make a temporary table of the rows of a query."""
@@ -86,7 +95,22 @@ class Script:
                 [f" {textwrap.fill(text, _WIDTH, subsequent_indent=' ' * 5)} "] if text else None
             )
         storage = self.engine.storage.temporary
-        self.add(temporary(table, tidied(query), *storage), comment)
+        tidied(query)
+        if self._apart is None:
+            self.add(temporary(table, query, *storage), comment)
+            return
+        empty = query.copy().limit(0)
+        for node in empty.walk():
+            node.comments = None
+        self.parts.insert(self._apart, (_EMPTY, temporary(table, empty, *storage)))
+        self._apart += 1
+        self.add(insertion(table.copy(), query), comment)
+
+
+def command(words: str) -> exp.Expr:
+    """Return a statement of plain words."""
+    first, _, more = words.partition(" ")
+    return exp.Command(this=first, expression=more)
 
 
 def _without_order(query: exp.Query) -> exp.Query:

@@ -172,7 +172,7 @@ OMITTED = {
 }
 
 #: What else can be asked for: engines that are run on a stand-in, and the tools beside them.
-STAND_INS = ("bigquery", "relatives", "dbt")
+STAND_INS = ("bigquery", "snowflake", "relatives", "dbt")
 
 #: Engines whose databases lie in memory. Each test has one of its own, in which names begin anew: so the
 #: texts of its statements are those of other tests, which were written and parsed already, and what

@@ -46,16 +46,17 @@ def on(
     """Answer by the scripts on an engine: the view form, and under ``exact`` the exact one."""
     if engine == "duckdb":  # a script may use all of a connection: its own, and in one piece
         with duckdb.connect() as connection, DuckSession(connection) as session:
-            return _answers(session, rows, parameters, calibration)
-    return _answers(engines.session(engine), rows, parameters, calibration)
+            return answered_by(session, rows, parameters, calibration)
+    return answered_by(engines.session(engine), rows, parameters, calibration)
 
 
-def _answers(
+def answered_by(
     session: Session,
     rows: Sequence[Row] | Sequence[ProgramRow],
     parameters: gam_db.Parameters,
     calibration: gam_db.Calibration,
 ) -> dict[str, Answer]:
+    """Answer by the scripts in a session."""
     prefix, name = engines.fresh_name("script"), session.engine.name
     table = telemetry(session, rows)
     has_programs = any(len(row) > 4 for row in rows)
