@@ -18,7 +18,9 @@ def spark() -> Iterator[Session]:
     """The session on Spark, for a while with Spark's own settings, as users run it."""
     session = engines.session("spark")
     driver = session.driver
-    before = [(name, driver.fetch(f"SET {name}")["value"][0].as_py()) for name in spark_settings.QUICK_SPARK]
+    before = [
+        (name, driver.fetch(f"SET {name}")["value"][0].as_py()) for name in spark_settings.QUICK_SPARK
+    ]
     own = {"spark.sql.codegen.factoryMode": "FALLBACK"}
     for name, _ in before:
         driver.fetch(f"SET {name}={own.get(name, 'true')}")
