@@ -236,7 +236,7 @@ class ConnectDriver(SparkDriver):
 
     def close(self) -> None:
         """Forget the tables, and give the session back as it was, or end it if it is ours."""
-        with contextlib.suppress(*self.errors):  # a server that is gone has forgotten them
+        with quiet(), contextlib.suppress(*self.errors):  # a server that is gone has forgotten them
             super().close()
             self._work.give_back()
 
