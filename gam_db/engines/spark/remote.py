@@ -79,8 +79,10 @@ def opened(url: str) -> Work:
             session.client.set_retry_policies([trying(max_retries=_RETRIES)])
             _set(session, raised)
         except (raised, ValueError) as error:
-            words = {"address": shown(url), "said": without_passwords(first_line(error))}
-            raise wrong("spark_connect_refused", **words) from None  # the error quotes the token
+            said = without_passwords(first_line(error))
+            raise wrong(
+                "spark_connect_refused", address=shown(url), said=said
+            ) from None  # the error quotes the token
     return Work(session, session.stop)
 
 
@@ -136,14 +138,14 @@ def _set(session: Any, raised: type[Exception]) -> dict[str, str]:
     before: dict[str, str] = {}
     for name, setting in (AT_WORK["settings"] | AT_WORK["preferred"]).items():
         try:
-            said = session.conf.get(name)
-            if said != setting:
+            there = session.conf.get(name)
+            if there != setting:
                 session.conf.set(name, setting)
-                before[name] = said
+                before[name] = there
         except raised as error:
             if name in AT_WORK["settings"]:
-                words = {"name": name, "setting": setting, "said": first_line(error)}
-                raise wrong("spark_setting", **words) from error
+                said = first_line(error)
+                raise wrong("spark_setting", name=name, setting=setting, said=said) from error
     return before
 
 
