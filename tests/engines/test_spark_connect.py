@@ -20,6 +20,7 @@ from gam_db.address import has_password, shown, without_passwords
 from gam_db.engines.session import Session
 from gam_db.engines.spark import remote
 from gam_db.engines.spark.driver import ConnectDriver
+from gam_db.engines.spark.opening import quiet
 from gam_db.errors import EngineError, SourceError, StatementError
 
 ROOT = Path(__file__).parents[2]
@@ -41,7 +42,7 @@ ZONE = "spark.sql.session.timeZone"
 @pytest.fixture
 def theirs() -> Iterator[Any]:
     """A session of a user, whose clocks show New York's time."""
-    with remote.quiet():
+    with quiet():
         from pyspark.sql.connect.session import SparkSession
 
         session = SparkSession.builder.remote(connect_server.server()).create()

@@ -50,8 +50,8 @@ another way to it, on which the file that is named runs the same tests:
   `GAM_POSTGRES=18 python -m pytest --engines postgres -m ""` runs them on 18 alone,
   but for collations of ICU, without which that package was built.
 - Spark: the first set runs on a session in the process of the tests, and one fleet of the specification
-  on a Spark Connect server from the wheel of pyspark. The full set runs the tests of Spark on both, but for
-  those that look into a session of the process.
+  on a Spark Connect server from the wheel of pyspark. The full set runs the tests of Spark on both, but
+  for those that look into a session of the process.
   `GAM_SPARK=connect python -m pytest --engines spark -m ""` runs them on the server alone.
 - DuckDB: the first set runs on the version of `.ci/gam.txt`, and the defects of `tests/upstream` on the
   oldest and the newest that are allowed, too. The full set runs tests on these that read, calibrate,
