@@ -17,6 +17,9 @@ _OF_FILES = ("duckdb", "sqlite", "chdb", "spark")
 #: A password among the options at the end of a URL.
 _OPTION = re.compile(r"(?i)([?&])(?:ssl)?password=[^&\s]*&?")
 
+#: A token or the like among the parameters of Spark Connect: ``sc://host:443/;token=...``.
+_PARAMETER = re.compile(r"(?i)(;)([^;=\s]*(?:token|password|secret|authorization)[^;=\s]*)=[^;\s]*")
+
 #: A password in libpq's own words.
 _WORD = re.compile(r"(?i)\b((?:ssl)?password\s*=\s*)('[^']*'|[^\s&]+)")
 
@@ -46,6 +49,8 @@ def shown(address: str) -> str:
     if not is_url(address):
         return _WORD.sub("", address) if _LIBPQ.search(address) else address
     scheme, _, rest = address.partition("://")
+    if scheme == "sc":
+        rest = _PARAMETER.sub("", rest)
     # A file or a folder is no person's, and its name may hold any sign.
     person, at, place = ("", "", rest) if rest.startswith("/") else rest.rpartition("@")
     if _OPTION.search(place):
@@ -79,4 +84,4 @@ def without_passwords(text: str) -> str:
 
     The last net: messages of other libraries quote what they were given.
     """
-    return _WORD.sub(r"\1***", _PERSON.sub(r"\1@", text))
+    return _PARAMETER.sub(r"\1\2=***", _WORD.sub(r"\1***", _PERSON.sub(r"\1@", text)))

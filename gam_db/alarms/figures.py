@@ -56,7 +56,7 @@ def figures(reads: Reads, monitor: str) -> dict[int, Row]:
 
 
 def with_figures(rows: Sequence[Row], counted: Mapping[int, Row]) -> list[Row]:
-    """Return episodes (rows of ``gam_db.stored.alarms.labels.alarms``) with their figures beside them."""
+    """Return episodes (rows of ``stored.alarms.labels.alarms``) with their figures beside them."""
     nothing = dict.fromkeys((*COUNTED, *MOVED))
     return [{**row, **counted.get(row["episode"], nothing)} for row in rows]
 

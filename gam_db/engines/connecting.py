@@ -38,8 +38,9 @@ def connect(
             ``postgresql://user@host:5432/plant``, ``mariadb://user@host:3306/plant``,
             ``clickhouse://user@host:8123/plant`` (``clickhouses`` with TLS), ``chdb:///folder``
             (ClickHouse inside this process), ``spark:///folder`` (Spark inside this process, tables as
-            Parquet in the folder). Passwords are best left to the environment, in the words of each
-            engine (PGPASSWORD, MYSQL_PWD, CLICKHOUSE_PASSWORD). Open connections are those of duckdb,
+            Parquet in the folder), ``sc://host:15002`` (Spark Connect). Passwords and tokens are best
+            left to the environment, in the words of each engine (PGPASSWORD, MYSQL_PWD,
+            CLICKHOUSE_PASSWORD, SPARK_CONNECT_AUTHENTICATE_TOKEN). Open connections are those of duckdb,
             sqlite3, psycopg, pymysql and clickhouse_connect, and a SparkSession.
         threads: processor threads of DuckDB; None leaves its own choice.
         writable: open files for writing, and make them if they are not there; else they are only read.

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 import engines
+import spark_settings
 from gam_db.engines.session import Session
 from test_recordings import SETTINGS, agrees, counts, series
 
@@ -17,7 +18,9 @@ def spark() -> Iterator[Session]:
     """The session on Spark, for a while with Spark's own settings, as users run it."""
     session = engines.session("spark")
     driver = session.driver
-    before = [(name, driver.fetch(f"SET {name}")["value"][0].as_py()) for name in engines.QUICK_SPARK]
+    before = [
+        (name, driver.fetch(f"SET {name}")["value"][0].as_py()) for name in spark_settings.QUICK_SPARK
+    ]
     own = {"spark.sql.codegen.factoryMode": "FALLBACK"}
     for name, _ in before:
         driver.fetch(f"SET {name}={own.get(name, 'true')}")

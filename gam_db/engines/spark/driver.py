@@ -1,5 +1,10 @@
-"""Spark by pyspark: a session in this process or on a cluster."""
+"""Spark by pyspark: a session in this process or on a cluster, or one of Spark Connect.
 
+What both do is asked of Spark by public calls alone: SQL, the catalogue, settings, frames. A session in
+this process takes more of Java where there is no such call, or a dearer one; see :class:`SparkDriver`.
+"""
+
+import contextlib
 import secrets
 import shutil
 import tempfile
@@ -15,7 +20,7 @@ from gam_db.composing import template
 from gam_db.engines.base import Engine
 from gam_db.engines.driver import Driver, usual
 from gam_db.engines.refusals import READ_ONLY, refusal
-from gam_db.engines.spark import ENGINE, OVER
+from gam_db.engines.spark import ENGINE, OVER, remote
 from gam_db.engines.spark.folder import Folder
 from gam_db.engines.spark.opening import address_of, as_before, beside, quiet, scratch, started
 from gam_db.engines.spark.tables import FolderTables, MetastoreTables, format_of
@@ -34,12 +39,16 @@ def connected(target: Any, writable: bool) -> "SparkDriver":
     """Return a driver on an address, or on the user's open session.
 
     Raises:
-        EngineError: Spark cannot be started, is too old, or the folder cannot be used.
+        EngineError: Spark cannot be started or reached, is too old, or the folder cannot be used.
     """
+    if isinstance(target, str) and target.startswith(remote.SCHEME):
+        return ConnectDriver(remote.opened(target), writable)
     if isinstance(target, str):
         master, path = address_of(target)
         folder = Folder(path, writable)  # first: that there is none is said before Spark is started
         return SparkDriver(started(master), ENGINE, writable, folder)
+    if remote.is_remote(target):
+        return ConnectDriver(remote.lent(target), writable)
     needed("pyspark", "spark")
     session = beside(target)
     form = format_of(session)
@@ -57,11 +66,7 @@ class SparkDriver(Driver):
     def __init__(self, session: Any, engine: Engine, writable: bool, storage: Folder | str) -> None:
         self.engine = engine
         self._session, self._writable = session, writable
-        self.errors = (
-            needed("pyspark.errors", "spark").PySparkException,
-            needed("py4j.protocol", "spark").Py4JError,
-            ConnectionError,
-        )
+        self.errors = self._refusals()
         self._tables: FolderTables | MetastoreTables = (
             FolderTables(session, self._run, engine, storage)
             if isinstance(storage, Folder)
@@ -85,11 +90,14 @@ class SparkDriver(Driver):
         self._tables.ready(text)
         frame = self._run(text)
         # What Spark expects: after joins far too many bytes, of compressed files too few.
-        if int(str(frame._jdf.queryExecution().optimizedPlan().stats().sizeInBytes())) <= _SMALL:
+        if self._bytes(frame, text) <= _SMALL:
             self.ingest(table, self._arrow(frame))
-            return
+        else:
+            self._keep_large(table, frame)
+
+    def _keep_large(self, table: exp.Table, frame: Any) -> None:
         if self._scratch is None:  # in files if the user set a folder for them, else at the workers
-            in_files = self._session.sparkContext._jsc.sc().getCheckpointDir().isDefined()
+            in_files = self._session.sparkContext.getCheckpointDir() is not None
             self._name(table, frame.checkpoint() if in_files else frame.localCheckpoint())
             return
         place = self._scratch / f"{table.name}_{secrets.token_hex(4)}"
@@ -102,8 +110,8 @@ class SparkDriver(Driver):
             self._name(table, self._session.read.parquet(str(place)), place)
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        with quiet(), as_before(self._session):
-            self._name(table, self._session.createDataFrame(rows))
+        with quiet():
+            self._name(table, self._frame(rows))
 
     def drop(self, table: exp.Table) -> None:
         """Drop a view made by :meth:`keep` or :meth:`ingest`, and what Spark holds for it."""
@@ -149,7 +157,9 @@ class SparkDriver(Driver):
         or reads them otherwise, by the order of their names.
         """
         try:
-            return self._session.read.option("mergeSchema", "true").parquet(path)
+            frame = self._session.read.option("mergeSchema", "true").parquet(path)
+            frame.columns  # noqa: B018 - Spark Connect looks at the files only when it is asked
+            return frame
         except self.errors as error:
             if "CANNOT_MERGE" not in str(error):
                 raise
@@ -176,6 +186,18 @@ class SparkDriver(Driver):
             shutil.rmtree(self._scratch, ignore_errors=True)
         self._tables.close()
 
+    def _refusals(self) -> tuple[type[Exception], ...]:
+        raised = needed("pyspark.errors", "spark").PySparkException
+        return raised, needed("py4j.protocol", "spark").Py4JError, ConnectionError
+
+    def _bytes(self, frame: Any, text: str) -> float:
+        """Return how many bytes Spark expects of a query: of its plan, which is not made twice."""
+        return int(str(frame._jdf.queryExecution().optimizedPlan().stats().sizeInBytes()))
+
+    def _frame(self, rows: pa.Table) -> Any:
+        with as_before(self._session):
+            return self._session.createDataFrame(rows)
+
     def _shared_place(self, storage: Folder | str) -> Path | None:
         """Return a folder for steps that Spark's workers reach; None where none is known."""
         if isinstance(storage, Folder) and self._writable:
@@ -198,9 +220,80 @@ class SparkDriver(Driver):
         return usual(rows)
 
 
+class ConnectDriver(SparkDriver):
+    """A session of Spark Connect, and the tables of its metastore; by public calls alone."""
+
+    def __init__(self, work: remote.Work, writable: bool) -> None:
+        form = format_of(work.session)
+        super().__init__(work.session, OVER[form], writable, form)
+        self._work = work
+        self._saved: dict[str, str] = {}  # view -> the table of its rows, where no other place is
+        self._checkpoints = True
+
+    def drop(self, table: exp.Table) -> None:
+        super().drop(table)
+        self._drop_saved(table)
+
+    def close(self) -> None:
+        """Forget the tables, and give the session back as it was, or end it if it is ours."""
+        with quiet(), contextlib.suppress(*self.errors):  # a server that is gone has forgotten them
+            super().close()
+            self._work.give_back()
+
+    def _keep_large(self, table: exp.Table, frame: Any) -> None:
+        """Keep rows at Spark's workers; where the session keeps none there, in a table."""
+        settled = self._checkpoint(frame)
+        name = f"gam_step_{secrets.token_hex(6)}"
+        if settled is None:
+            with quiet():
+                frame.write.saveAsTable(name)
+            self._saved[table.name] = name
+            settled = self._session.table(name)
+        rows = self._arrow(settled.limit(_FEW + 1))
+        if rows.num_rows > _FEW:
+            self._name(table, settled)
+            return
+        self.ingest(table, rows)
+        self._drop_saved(table)
+
+    def _checkpoint(self, frame: Any) -> Any:
+        """Return the rows of a frame where they were computed; None where the session cannot."""
+        if not self._checkpoints or not remote.keeps_checkpoints(self._session):
+            return None
+        try:
+            with quiet():
+                return frame.localCheckpoint()
+        except self.errors as error:
+            if not remote.is_unsupported(error):
+                raise
+            self._checkpoints = False
+            return None
+
+    def _drop_saved(self, view: exp.Table) -> None:
+        if (name := self._saved.pop(view.name, None)) is not None:
+            gone = exp.Table(this=template.name(name))
+            self._run(self.engine.text(exp.Drop(tables=[gone], kind="TABLE", exists=True)))
+
+    def _refusals(self) -> tuple[type[Exception], ...]:
+        return needed("pyspark.errors", remote.EXTRA).PySparkException, ConnectionError
+
+    def _bytes(self, frame: Any, text: str) -> float:
+        return remote.expected_bytes(self._run(f"EXPLAIN COST {text}").collect()[0][0])
+
+    def _frame(self, rows: pa.Table) -> Any:
+        if rows.num_rows:
+            return self._session.createDataFrame(rows)
+        # Of no rows it does not take the types, other than classic Spark.
+        nulls = [pa.nulls(1, column.type) for column in rows.schema]
+        return self._session.createDataFrame(pa.table(nulls, rows.column_names)).limit(0)
+
+    def _shared_place(self, storage: Folder | str) -> Path | None:
+        return None
+
+
 def problem(error: Exception) -> UserError | None:
     """Return what the user can do about an error of Spark; None if it is none of the user's."""
-    message = str(getattr(error, "_desc", None) or error)  # without the stack of Java
+    message = str(getattr(error, "_desc", None) or error)  # of Spark Connect with the stack of Java
     condition = message[1:].partition("]")[0].partition(".")[0] if message.startswith("[") else ""
     causes = f"{message}\n{getattr(error, '_stackTrace', '')}"
     return refusal("spark", type(error).__name__, condition, causes)

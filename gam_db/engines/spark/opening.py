@@ -24,7 +24,7 @@ from gam_db.engines.spark import ENGINE
 from gam_db.errors import EngineError, wrong
 from gam_db.extras import needed
 
-_AT_WORK = data.table("gam_db.engines.spark", "spark.toml")
+AT_WORK = data.table("gam_db.engines.spark", "spark.toml")
 
 
 def address_of(url: str) -> tuple[str | None, Path]:
@@ -63,10 +63,8 @@ def beside(session: Any) -> Any:
     """Return a session with the views, settings and current schema of the user's, and our own settings.
 
     Raises:
-        EngineError: it is stopped, too old, or a remote one.
+        EngineError: it is stopped, or too old.
     """
-    if not hasattr(session, "_jsparkSession"):
-        raise wrong("spark_connect")
     if session.sparkContext._jsc is None or session.sparkContext._jsc.sc().isStopped():
         raise EngineError("This SparkSession is stopped; start one and give that.")
     return _set(type(session)(session.sparkContext, session._jsparkSession.cloneSession()), session)
@@ -108,7 +106,7 @@ def as_before(session: Any) -> Iterator[None]:
 
 def _set(session: Any, base: Any) -> Any:
     ENGINE.check_version(session.version)
-    for name, value in _AT_WORK["settings"].items():
+    for name, value in (AT_WORK["settings"] | AT_WORK["preferred"]).items():
         session.conf.set(name, value)
     if base.sparkContext.master.startswith("local"):
         session.conf.set("spark.sql.shuffle.partitions", str(base.sparkContext.defaultParallelism))
@@ -124,7 +122,7 @@ def _started(master: str | None) -> Any:
     if master is not None:
         builder = builder.master(master)
     is_local = master is None or master.startswith("local")
-    settings = _AT_WORK["started"] | (_AT_WORK["local"] if is_local else {})
+    settings = AT_WORK["started"] | (AT_WORK["local"] if is_local else {})
     for name, value in settings.items():
         builder = builder.config(name, value)
     # A quarter of the memory, unless the settings of Spark say otherwise.

@@ -26,7 +26,13 @@ _SCHEMAS = 50
 
 
 def format_of(session: Any) -> str:
-    """Return the format of new tables: that of the current catalogue, by its settings."""
+    """Return the format of new tables: that of the current catalogue, by its settings.
+
+    Databricks, which alone has a function CURRENT_VERSION, need not tell its settings: there it is
+    Delta.
+    """
+    if session.catalog.functionExists("current_version"):
+        return "delta"
     implementation = session.conf.get(
         f"spark.sql.catalog.{session.catalog.currentCatalog()}", ""
     ).lower()
@@ -298,11 +304,28 @@ class MetastoreTables(Rewriting):
         before = next(str(row[1]) for row in rows_of if row[0] == "Location")
         after = f"{before.rstrip('/')}-{secrets.token_hex(4)}"
         self.write_beside(table, columns, rows, after)
-        moved = exp.AlterSet(location=template.text(after))
+        self._move(table, after)
+        self._remove(table, before)
+
+    def _move(self, table: exp.Table, place: str) -> None:
+        """Point a table to other files."""
+        moved = exp.AlterSet(location=template.text(place))
         self._do(exp.Alter(this=table.copy(), kind="TABLE", actions=[moved]))
-        context = self._session.sparkContext
-        path = context._jvm.org.apache.hadoop.fs.Path(before)
-        path.getFileSystem(context._jsc.hadoopConfiguration()).delete(path, True)
+
+    def _remove(self, table: exp.Table, place: str) -> None:
+        """Remove the files that a table had, by SQL alone: they are those of a table that is dropped.
+
+        Its name is the same every time: a process that was killed on the way left it, and what it was
+        made in, an empty folder, serves again.
+        """
+        gone = table.copy()
+        gone.set("this", template.name(f"{table.name}_replaced"))
+        dropped = exp.Drop(tables=[gone.copy()], kind="TABLE", exists=True)
+        self._do(dropped)
+        alike = exp.Properties(expressions=[exp.LikeProperty(this=table.copy())])
+        self._do(exp.Create(this=gone.copy(), kind="TABLE", properties=alike))
+        self._move(gone, place)
+        self._do(dropped)
 
     def names(self) -> list[tuple[str, ...]]:
         """Return what can be read: of the current catalogue, by schema, and views of the session."""
