@@ -122,9 +122,10 @@ class Reader:
             conditions.append(exp.EQ(this=column, expression=template.text(names[name])))
         time = template.column(source.time)
         conditions += self._engine.near(source, self.kind, earliest, latest)
-        rows = exp.select("*").from_(self._relation.copy())
-        where = under(source, *conditions).where
-        return self._engine.text(rows.where(where).order_by(time.copy()), pretty=True)
+        if source.where is not None:
+            conditions.insert(0, exp.paren(parsed_condition(source.where)))
+        rows = exp.select("*").from_(self._relation.copy()).where(*conditions)
+        return self._engine.text(rows.order_by(time.copy()), pretty=True)
 
     def undated(self) -> Undated:
         """Return how many rows of the source tell no time, and why."""
