@@ -21,8 +21,8 @@ from gam_db.errors import EngineError, nearest
 class Evidence:
     """A row of the table: what ran or parsed the SQL of an engine, its version, when, in which tests.
 
-    Of the kinds of evidence docs/engines.md says what each means. ``also`` is another version, and the
-    file of the tests that run the tests of the engine on it; empty for none.
+    Of the kinds of evidence docs/engines.md says what each means. ``also`` is another version or
+    relative, and the file of the tests that run on it; empty for none.
     """
 
     engine: str

@@ -1,8 +1,8 @@
 """Snowflake's text on two relatives, fakesnow and Databend: the integers of the specification, and runs.
 
 What a relative has not is taken out in :mod:`snowflake_relatives`, which names it; what is printed for
-Snowflake stays as it is. Neither relative shows its types, collations, limits and locks. What calibration
-froze is copied from DuckDB, since gam-db does not connect to Snowflake.
+Snowflake stays as it is. Neither relative shows its types, collations, limits and locks. What
+calibration froze is copied from DuckDB, since gam-db does not connect to Snowflake.
 """
 
 from dataclasses import replace

@@ -10,7 +10,7 @@ CLASSES = {
         "storage and transactions were not seen"
     ),
     "rendered, run on a relative": (
-        "the SQL made for it was run on an engine whose language it extends, with the same integers; "
+        "the SQL made for it was run on an engine that shares its language, with the same integers; "
         "what only it has was parsed or left out"
     ),
     "rendered, checked by a grammar": (
@@ -34,10 +34,22 @@ LIMITS = """\
 ## What the weaker kinds of evidence show
 
 A relative knows the same words, but not what only the engine itself has; what was left out is in the
-file of its tests. A grammar sees that a statement can be parsed, and little else: of 39 mistakes planted
-in statements like these, the strictest grammar tried (sqlfluff) refused 17, and sqlglot's own 4. A name,
-type or function that the engine has not goes unseen. GoogleSQL's reference implementation resolves
-every name and type as BigQuery does and runs the statements, but it is not the service.
+file of its tests.
+
+Snowflake's relatives are fakesnow, which reads Snowflake's words and runs them on DuckDB, and Databend,
+an engine of its own with most of these words. The specification, the view form, the migrations and
+scheduled runs (`run.sql`, batch by batch, with late rows) gave the integers of NumPy or of `gam score`
+on DuckDB. What Databend has not is taken out of its text in `tests/tools/snowflake_relatives.py`.
+Neither can prove: how Snowflake stores numbers (NUMBER(38, 0)) and rounds doubles; that names are
+found, which it folds to upper case unless they are quoted; its collations; what TIMESTAMP_NTZ,
+TIMESTAMP_TZ and the zone of a session do; its limits of statements and of memory; what two sessions do
+at once; and what a run costs. That a definition ends its transactions is known from its documentation;
+the tool refuses a script that relies on the contrary.
+
+A grammar sees that a statement can be parsed, and little else: of 39 mistakes planted in statements
+like these, the strictest grammar tried (sqlfluff) refused 17, and sqlglot's own 4. A name, type or
+function that the engine has not goes unseen. GoogleSQL's reference implementation resolves every name
+and type as BigQuery does and runs the statements, but it is not the service.
 """
 
 #: How the engines that gam-db connects to are addressed.

@@ -1,9 +1,10 @@
 """Snowflake's SQL on two relatives, and a driver on each: fakesnow and Databend's embedded wheel.
 
-``GAM_SNOWFLAKES`` is the folder of an environment that holds both (.ci/snowflakes.txt): they pin versions
-of what gam-db needs, too, so each runs in a process of that environment (:mod:`snowflake_worker`).
-fakesnow reads Snowflake's words and runs them on DuckDB. Databend is an engine with most of these words;
-what version 1.2.453 has not is taken out of the text here (:func:`for_databend`), and nowhere else.
+``GAM_SNOWFLAKES`` is the folder of an environment that holds both (.ci/snowflakes.txt): they pin
+versions of what gam-db needs, too, so each runs in a process of that environment
+(:mod:`snowflake_worker`). fakesnow reads Snowflake's words and runs them on DuckDB. Databend is an
+engine with most of these words; what version 1.2.453 has not is taken out of the text here
+(:func:`for_databend`), and nowhere else.
 """
 
 import atexit

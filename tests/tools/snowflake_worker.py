@@ -1,8 +1,8 @@
 """Answers statements of Snowflake's SQL on a relative of it, in a process of the relative's environment.
 
 ``python snowflake_worker.py fakesnow`` (or ``databend``) reads pickled statements from its standard
-input and answers each by a pickled pair: ``found`` and an Arrow table, or ``refused`` and why. It imports
-nothing of gam-db: the relatives pin versions of what gam-db needs, too.
+input and answers each by a pickled pair: ``found`` and an Arrow table, or ``refused`` and why. It
+imports nothing of gam-db: the relatives pin versions of what gam-db needs, too.
 """
 
 import contextlib
