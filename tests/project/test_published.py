@@ -141,7 +141,7 @@ def test_a_distribution_says_where_it_comes_from(remote: str, tag: str, tmp_path
             f"Documentation, {forge}/tree/{at}/docs",
         ]
         links = re.findall(r"(!?)\[[^]]*\]\(([^)#]+)", text)
-        assert len(links) == len(re.findall(r"\]\([^)#]", readme)) > 40
+        assert len(links) == len(re.findall(r"\]\([^)#]", readme)) > 20
         assert [link for _, link in links if not link.startswith("https://")] == []
         own = [(picture, link.removeprefix(f"{forge}/")) for picture, link in links if forge in link]
         assert {link.split("/")[0] for picture, link in own if picture} == {"raw"}
