@@ -26,11 +26,15 @@ def test_wide_files_become_a_long_table_that_gam_reads(place: Path) -> None:
         rows = [f"2026-03-02 00:{n // 60:02}:{n % 60:02},{n % 44},{n % 7}" for n in range(3600)]
         rows[5] = "2026-03-02 00:00:05,,1"
         (place / f"{name}.csv").write_text("\n".join([f"Timestamp,{sensors}", *rows]), encoding="utf-8")
-    duckdb.sql(LONG)
-    found = duckdb.execute(
-        "SELECT asset, channel, COUNT(*), COUNT(value), MIN(ts)::VARCHAR FROM 'telemetry.parquet' "
-        "GROUP BY ALL ORDER BY ALL"
-    ).fetchall()
+    duckdb.connect().execute(LONG)
+    found = (
+        duckdb.connect()
+        .execute(
+            "SELECT asset, channel, COUNT(*), COUNT(value), MIN(ts)::VARCHAR FROM 'telemetry.parquet' "
+            "GROUP BY ALL ORDER BY ALL"
+        )
+        .fetchall()
+    )
     assert found == [
         ("pump-1", "flow", 3600, 3600, "2026-03-02 00:00:00"),
         ("pump-1", "pressure", 3600, 3599, "2026-03-02 00:00:00"),
@@ -48,7 +52,7 @@ def test_labels_become_commands_as_the_page_shows_them(place: Path) -> None:
         "2026-03-03 08:20:00,2026-03-03 11:40:00,NEUTRAL,pump-1\n",
         encoding="utf-8",
     )
-    ((command,),) = duckdb.execute(LABELS).fetchall()
+    ((command,),) = duckdb.connect().execute(LABELS).fetchall()
     (shown,) = re.findall(r"^gam label .*$", PAGE, re.MULTILINE)
     assert shlex.split(command) == [
         f"{word}:00" if "T" in word and ":" in word else word for word in shlex.split(shown)

@@ -145,7 +145,7 @@ def test_a_distribution_says_where_it_comes_from(remote: str, tag: str, tmp_path
         assert [link for _, link in links if not link.startswith("https://")] == []
         own = [(picture, link.removeprefix(f"{forge}/")) for picture, link in links if forge in link]
         assert {link.split("/")[0] for picture, link in own if picture} == {"raw"}
-        assert {link.split("/")[0] for picture, link in own if not picture} == {"blob", "tree"}
+        assert {link.split("/")[0] for picture, link in own if not picture} == {"blob"}
         assert {link.split("/")[1] for _, link in own} == {at}
 
 

@@ -82,6 +82,13 @@ def test_a_dead_link_or_a_page_that_no_list_names_ends_the_build(dead: bool, tmp
     assert len(warnings) == (len(DEAD) + 1 if dead else 0), done.stderr
 
 
+def test_every_page_begins_with_what_it_is_for() -> None:
+    for page in (ROOT / "docs").glob("*.md"):
+        title, first = page.read_text(encoding="utf-8").split("\n\n")[:2]
+        assert title.startswith("# "), page
+        assert first.startswith("This page "), page
+
+
 def test_no_warning_is_suppressed() -> None:
     settings = (ROOT / "docs" / "site" / "conf.py").read_text(encoding="utf-8")
     assert not re.search(r"suppress_warnings|nitpick_ignore|logging", settings)
