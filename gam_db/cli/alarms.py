@@ -36,10 +36,10 @@ def alarms(
     new: bool = option("alarms.new", False),
     after: int = option("alarms.after", 0),
 ) -> None:
-    """Say which signals are raised: since when, how sure, and what to decide.
+    """List alarms: which signals, since when, how sure.
 
-    Episodes that opened right after calibration come first, then those that are open. Exit code 2: one
-    of them needs attention. With --new it is 0, whatever is printed.
+    Episodes that opened right after calibration come first, then open ones. Exit code 2: an episode
+    needs attention. With --new the exit code is 0.
     """
     shown_in, name = zone(common.time_zone), settings.monitor.name
     with state_of(settings) as state:
@@ -66,7 +66,7 @@ def alarms(
 
 @options.of_state(*options.STATE, "time_zone", "as_json", "quiet")
 def alarm(settings: Settings, common: options.Common, episode: int = argument("alarm.episode")) -> None:
-    """Say all that is known of one episode: its judgements, and where the signal went."""
+    """Explain one episode: its judgements and where the signal went."""
     shown_in, name = zone(common.time_zone), settings.monitor.name
     with state_of(settings) as state:
         kind = kind_of(state.monitor(name))
@@ -120,17 +120,17 @@ def label(
     until: str | None = option("label.until"),
     instead: bool = option("label.instead", False),
 ) -> None:
-    """Keep what is known of an episode, or of a machine in an interval of time.
+    """Label an episode, or an interval of a machine.
 
-    A false alarm right after calibration says that calibration was no fair sample: its channel is judged
-    no more until it is calibrated again.
+    A false alarm right after calibration means that calibration was not a fair sample: the channel is
+    not judged until you calibrate it again.
     """
     if len(words) not in (2, 4):
         raise wrong("label_words", count=len(words))
     name, first, kind = settings.monitor.name, words[0], words[-1]
     of: Row = {"asset": first, "span": (words[1], words[2])} if len(words) == 4 else {}
     if not of:
-        refusal = f"{first!r} is no number of an episode; of a machine say ASSET, two times and KIND."
+        refusal = f"{first!r} is no number of an episode; for a machine give ASSET, two times and KIND."
         of["episode"] = _read(int, first, refusal)
     if until is not None:
         refusal = f"--until is {until!r}; write 2026-03-14 or 2026-03-14T18:00."
@@ -164,12 +164,12 @@ def limits(
     again: bool = option("limits.again", False),
     reason: str | None = option("limits.reason"),
 ) -> None:
-    """Say by what each channel is judged, or why it is not.
+    """Show how each signal is judged, or why it is not.
 
-    What was judged stays as it is.
+    With --again it computes the limits again; earlier judgements stay.
     """
     if again != (reason is not None):
-        raise ConfigurationError("--again and --reason go together: say why limits are made anew.")
+        raise ConfigurationError("--again and --reason go together: give the reason for new limits.")
     with state_of(settings, writable=again) as state:
         if reason is not None:
             with state.session.transaction():
@@ -199,10 +199,11 @@ def limits(
 def backtest(
     settings: Settings, common: options.Common, healthy: list[str] | None = option("backtest.healthy")
 ) -> None:
-    """Count how often the limits raise what follows calibration, where nothing was wrong.
+    """Count false alarms after calibration, where nothing was wrong.
 
-    Limits are made of the calibration of SOURCE for the asked rate; every full window after it is
-    judged. What is seen is set beside what is stated, with how sure it is.
+    It computes limits from the calibration of SOURCE for the target rate, and judges every full window
+    after calibration. The page compares the counted rate, with its confidence interval, with the stated
+    rate.
     """
     spans = settings_of(Calibration)["intervals"].takes.read("--healthy", healthy) if healthy else None
     with reading(settings, common) as (session, job, _):

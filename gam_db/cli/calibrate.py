@@ -41,13 +41,13 @@ from gam_db.study.automatic import Siblings
 def calibrate(
     settings: Settings, common: options.Common, again: bool = option("calibrate.again", False)
 ) -> None:
-    """Learn the healthy part of every channel of SOURCE and freeze it in the database.
+    """Learn the healthy states of every channel and freeze them.
 
-    A channel gets a new version if it has none with these settings; nothing is forgotten. Which source
-    is watched is kept, so later calls, and `gam score`, need no SOURCE. State tables are made where
-    there are none. Exit code 2: a new version is not good enough to be watched (too_fine, needs_data),
-    or would show no shift of its machine (blind). Where none is, exit code 4: one has no usable reading
-    in calibration, or none can be judged.
+    A channel gets a new version if it has none with these settings; earlier versions stay. The database
+    stores which source is watched, so later calls and `gam score` need no SOURCE. gam creates the state
+    tables if they do not exist. Exit code 2: a new version is not good enough to be watched (too_fine,
+    needs_data), or would show no shift of its machine (blind). Otherwise exit code 4: a channel has no
+    usable reading in calibration, or no channel can be judged.
     """
     tables, relation = settings.monitor.tables, settings.source.relation
     is_folder = isinstance(relation, str) and Path(relation).is_dir()

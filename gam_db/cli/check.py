@@ -35,13 +35,13 @@ def check(
     relation: str | tuple[str, ...] | None,
     state: bool = option("check.state", False),
 ) -> None:
-    """Look at SOURCE before anything is learnt of it: what it is like, what to fix, what to set.
+    """Check a source: its sampling, problems and suggested settings.
 
-    Per channel: sampling, pauses, missing, repeated and conflicting readings, range, distinct values,
-    standstills, cycle. With --program also what each machine ran and how much of it calibration holds;
-    without it, a column that looks like a program. Ends with 2 if something must be fixed: rows without
-    name or time, conflicts everywhere, one time for all rows, nothing that moves, too few samples for a
-    window on any channel. Nothing is written.
+    It shows per channel: sampling, pauses, missing, repeated and conflicting readings, range, distinct
+    values, standstills, cycle. With --program it also shows what each machine ran and how much of it
+    calibration holds; without it, a column that looks like a program. Exit code 2 means that something
+    must be fixed: rows without name or time, conflicts everywhere, one time for all rows, no signal that
+    moves, or too few samples for a window on every channel. It writes nothing.
     """
     if state:
         _check_state(settings, relation, common)

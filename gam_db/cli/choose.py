@@ -37,12 +37,11 @@ def select(
     common: options.Common,
     write: Path | None = option("select.write"),
 ) -> None:
-    """Choose delay, embedding dimension, bins and window for every channel of SOURCE.
+    """Choose delay, dimension, bins and window for every channel.
 
-    Only the healthy part is looked at (--calibration-fraction 1 for all of it). --bins is the finest
-    grid and --window the window that are asked for; --m is taken where no rule finds a dimension.
-    Overrides and pools of gam.toml are left out: each channel speaks for itself. --json prints all
-    curves.
+    It reads only the healthy part (--calibration-fraction 1 for all rows). --bins is the finest grid to
+    try and --window the wanted window; --m applies where no rule finds a dimension. Each channel is
+    studied alone: overrides and pools of gam.toml do not apply. --json prints all curves.
     """
     with reading(settings, common) as (session, whole, on_step):
         open_parameters = dataclasses.replace(whole.parameters, tau=AUTO, bins=AUTO, overrides=())

@@ -139,8 +139,8 @@ def calibration_lines(calibration: Mapping[str, Any]) -> list[str]:
     if not set(WAYS) & set(calibration):
         entries = {"fraction": (0.2, "the first 20 % of each channel: the default"), **entries}
     lines = toml_text.comment(
-        "The part that is known to be healthy; better than a share is what you know: "
-        "intervals = [[FROM, TO]], such as [[2026-03-01, 2026-03-14T18:00:00]] or [[0, 5000]]."
+        "The healthy part of each channel. If you know when it was healthy, set intervals instead of a "
+        "share: intervals = [[FROM, TO]], such as [[2026-03-01, 2026-03-14T18:00:00]] or [[0, 5000]]."
     )
     lines += toml_text.entries(entries)
     for pattern, rule in calibration.get("overrides", {}).items():
@@ -182,7 +182,7 @@ def _together(names: Sequence[Name], pools: Sequence[Sequence[str]]) -> list[lis
 
 def _reason(members: Sequence[Row], job: Job) -> str:
     if not members:
-        return "As before; nothing was chosen."
+        return "Unchanged; gam select chose nothing."
 
     def counted(column: str, words: Mapping[str, str]) -> str:
         counts = Counter(row[column] for row in members).most_common()
@@ -200,13 +200,13 @@ def _reason(members: Sequence[Row], job: Job) -> str:
         parts.append(f"needs_data: no grid passes for {short}, calibrate longer")
     windows = [row for row in members if row["recommended_window"] is not None]
     if any(row["recommended_window"] < _wanted(row, job) for row in windows):
-        parts.append("window: an eighth of calibration at most")
+        parts.append("window: at most an eighth of calibration")
     elif cycles := [row["cycle_length"] for row in windows if row["window_status"] == "short"]:
         parts.append(f"window: five cycles of up to {max(cycles):,} samples")
     if none := sum(row["recommended_window"] is None for row in members):
         parts.append(f"no window: calibration of {number_of(none, 'channel')} is too short for any")
     if job.calibration.pools:
-        parts.append("one choice for all that learn together")
+        parts.append("one choice for each pool")
     return f"{number_of(len(members), 'channel')}. {'. '.join(parts)}."
 
 

@@ -29,9 +29,9 @@ _SIMULATED = Settings(
 
 
 def demo(keep: Path | None = option("demo.keep"), report: Path | None = option("demo.report")) -> None:
-    """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
+    """Run gam on a simulated machine that wears out.
 
-    With --out it writes the series, with --report the page of a simulated plant, and nothing else.
+    It writes nothing, unless you add --out (the series) or --report (the page of a simulated plant).
     """
     lines = page.console()
     if report is not None:

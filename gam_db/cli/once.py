@@ -47,17 +47,17 @@ def run(
     report: Path | None = option("run.report"),
     estimator: str = option("run.estimator", DSE),
 ) -> None:
-    """Compute the health indicator of every channel of SOURCE, print what was found, write the table.
+    """Compute and write the health indicator of every channel.
 
-    A channel needs attention (exit code 2) if an episode of it does, one that is open or began right
-    after calibration; or, where calibration gave no limit of judgements, if its indicator is above its
-    limit, the largest of twice the floor, the highest block of calibration and --target-floor; or if its
-    calibration is not good enough to be watched (too_fine, needs_data, or no fair sample of what
-    followed); or if it would show no shift of its machine (blind). Constant channels and channels
-    without calibration never raise an alarm; where no channel needs attention, exit code 4 says that one
-    has no usable reading in calibration, that none can be judged, or that a program was calibrated too
-    little or never. By another --estimator there is an
-    indicator (written to SOURCE.NAME.parquet) but no verdict.
+    A channel needs attention (exit code 2) if one of its episodes is open or began right after
+    calibration. Without a limit for judgements, it needs attention if its indicator is above its limit:
+    the largest of twice the floor, the highest block of calibration and --target-floor. It also needs
+    attention if its calibration is not good enough to be watched (too_fine, needs_data, or not a fair
+    sample of what followed), or if it would show no shift of its machine (blind). Constant channels and
+    channels without calibration never raise an alarm. If no channel needs attention, exit code 4 means
+    that a channel has no usable reading in calibration, that no channel can be judged, or that a program
+    was calibrated too little or never. Another --estimator gives an indicator (in SOURCE.NAME.parquet),
+    but no verdict.
     """
     shown_in = zone(common.time_zone)
     others = None if estimator.lower() == DSE else _others(estimator)

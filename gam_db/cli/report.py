@@ -33,10 +33,10 @@ def report(
     common: options.Common,
     out: Path = option("report.out", Path("report.html")),
 ) -> None:
-    """Write the page for people who look: which machines left health, since when, and where they went.
+    """Write an HTML page that shows which machines left health.
 
-    One HTML file that needs no network and nothing else; any browser opens it. It reads the state, and
-    raw readings of the signals in detail where the source can be read.
+    The page shows since when, and where the signals went. It is one HTML file that needs no network. gam
+    reads the state, and the raw readings of the signals in detail if it can read the source.
     """
     path = checked(out, "--out")
     silent = common.quiet or common.as_json

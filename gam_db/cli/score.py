@@ -58,12 +58,12 @@ def score(
     dry_run: bool = option("score.dry_run", False),
     copy_to: Path | None = option("score.copy_to"),
 ) -> None:
-    """Score what is new since the last run, and what came late, of every calibrated channel.
+    """Score new and late rows of every calibrated channel.
 
-    It can be run at any time, and again after a crash: what is stored is then the same. Exit codes 2 and
-    4 mean what they do in `gam status`: an episode needs attention, or an indicator is above its limit
-    where a channel has none for judgements, or a calibration is not good enough; else something of the
-    data has to be mended, or no channel is watched.
+    You can run it at any time, and again after a crash: the stored results are the same. Exit codes 2
+    and 4 mean the same as in `gam status`. 2: an episode needs attention, or an indicator is above its
+    limit where a channel has no limit for judgements, or a calibration is not good enough. Otherwise 4:
+    the data has a problem to fix, or no channel is watched.
     """
     if dry_run and copy_to is not None:
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")

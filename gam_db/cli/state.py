@@ -29,16 +29,16 @@ def migrate(
     engine: str | None = option("migrate.engine", names=", ".join(NAMES)),
     grants: str | None = option("migrate.grants"),
 ) -> None:
-    """Make the state tables in a database.
+    """Create or update the state tables in a database.
 
-    It can be run at any time: what was applied is recorded and not applied again, and rows stay.
+    You can run it at any time: it applies only new migrations, and rows stay.
     """
     if sql and (status or common.as_json):
         raise ConfigurationError("--sql prints a script; leave out --status and --json.")
     if engine is not None and not sql:
-        raise ConfigurationError("--engine says for which engine --sql prints; add --sql.")
+        raise ConfigurationError("--engine chooses the engine of --sql; add --sql.")
     if grants is not None and not sql:
-        raise ConfigurationError("--grants says what --sql prints besides; add --sql.")
+        raise ConfigurationError("--grants adds rights to the script of --sql; add --sql.")
     tables = settings.monitor.tables
     if sql:
         who = None if grants is None else Roles.parsed(grants)
@@ -96,14 +96,14 @@ def prune(
     keep_versions: int | None = option("prune.keep_versions"),
     dry_run: bool = option("prune.dry_run", False),
 ) -> None:
-    """Delete old buckets, novel cells, versions and records of runs; say how large each channel is.
+    """Delete old results and show the size of every channel.
 
-    Age is counted from the newest bucket of each channel. What the next run needs stays whatever its
-    age: the buckets that lookback reaches, and a window before them. The file does not shrink; the room
-    is used again.
+    It deletes buckets, novel cells, retired versions and records of runs. Their age counts from the
+    newest bucket of the channel. The rows that the next run needs stay: the buckets within lookback, and
+    a window before them. The file does not shrink, but its free space is used again.
 
-    Rows that nobody sees go, too: hidden by a later run, or left by one that was cut short. On engines
-    without transactions (ClickHouse, Spark), where scoring only appends, nothing else removes them.
+    It also deletes hidden rows: replaced by a later run, or left by an interrupted one. On engines
+    without transactions (ClickHouse, Spark), where scoring only appends, nothing else deletes them.
     """
     monitor = settings.monitor
     lengths = monitor.keep, monitor.keep_novel, keep_versions, monitor.lookback
@@ -134,9 +134,10 @@ def prune(
 def drop(
     settings: Settings, name: str | None = option("drop.name"), yes: bool = option("drop.yes", False)
 ) -> None:
-    """Remove the state tables of a schema and prefix, or with --name the rows of one monitor.
+    """Delete the state tables, or the rows of one monitor.
 
-    It lists what would go and asks for the name to be typed. The source, a schema and other tables stay.
+    It lists the tables of --schema and --prefix (with --name: the rows of that monitor), and you type
+    the name to confirm. The source, the schema and other tables stay.
     """
     tables = settings.monitor.tables
     with options.opened(settings) as session:

@@ -1,4 +1,4 @@
-"""``gam status``: how every channel is, and by what it is judged."""
+"""``gam status``: the status of every channel and machine, and problems of the data."""
 
 import datetime as dt
 from collections.abc import Iterator
@@ -24,12 +24,12 @@ from gam_db.stored.state import State
 def status(
     settings: Settings, common: options.Common, asset: str | None = option("status.asset")
 ) -> None:
-    """Say how every channel is: verdict, floor, indicator, trend; and apart what is wrong with the data.
+    """Show the status of every signal and machine.
 
-    It reads the state in the database, not the source; of assets, it prints the 20 most urgent unless
-    there is --all. A channel needs attention (exit code 2) if an episode of it does (`gam alarms`),
-    where it has a limit (`gam limits`), else if its indicator is above its limit; and if its calibration
-    is not good enough. Where none does, exit code 4 says that something of the data has to be mended, or
+    It reads the state in the database, not the source. Without --all it prints the 20 most urgent
+    machines. A channel needs attention (exit code 2) if one of its episodes does (`gam alarms`), or,
+    without a limit for judgements (`gam limits`), if its indicator is above its limit; or if its
+    calibration is not good enough. Otherwise exit code 4 means that the data has a problem to fix, or
     that no channel is watched.
     """
     name, silence, shown_in = settings.monitor.name, settings.monitor.park_after, zone(common.time_zone)

@@ -126,10 +126,11 @@ def evaluate(
     ] = 0.95,
     seed: Annotated[int, typer.Option(min=0, help="Of both.", rich_help_panel=_SAMPLING)] = 0,
 ) -> None:
-    """Measure how well the health indicators of HEALTH show wear (paper, Eq. 5 to 9).
+    """Measure how well health indicators show wear.
 
-    Mon, Corr and Rob of every channel, beside what chance gives; with --outcomes also Prog, Disc,
-    trendability and Global of the fleet, with bootstrap intervals over the assets.
+    It prints Mon, Corr and Rob of every channel of HEALTH (paper, Eq. 5 to 9), beside the same of random
+    series. With --outcomes it also prints Prog, Disc, trendability and Global of the fleet, with bootstrap
+    intervals over the assets.
     """
     for relation, what in ((health, "HEALTH"), (outcomes, "--outcomes")):
         _check_relation(relation, what, database)
