@@ -110,7 +110,7 @@ def text(
     choices: Sequence[dict[str, Any]] | None = None,
     calibrated: Calibrated | None = None,
 ) -> str:
-    """Return the text of a settings file in a folder, with the choices of ``gam select`` if there are any.
+    """Return the text of a settings file in a folder, with the choices of ``gam select`` if any.
 
     *calibrated* is what calibration chooses for open settings.
     """
@@ -168,7 +168,7 @@ def text(
 
 
 def _unsaid(seen: Seen, settings: Settings) -> list[tuple[str, Any, Mapping[str, Any], str]]:
-    """Return proposals for settings that are not set: for all channels, for some, or why there is none."""
+    """Return proposals for open settings: for all channels, for some, or why there is none."""
     proposal, never = (
         seen.proposal,
         "never, because no signal stood still for a short part of calibration",

@@ -172,7 +172,8 @@ def dbt(
     how = (engine, schema, monitor.prefix, monitor.lookback, monitor.park_after, parts)
     written = write(Package(described(settings), parameters, calibration, *how), folder)
     print(
-        f"{len(written)} files of a dbt package are in {folder}; see README.md there. `dbt build` builds it."
+        f"{len(written)} files of a dbt package are in {folder}; see README.md there. "
+        "`dbt build` builds it."
     )
     if "probe" not in parts_of(parameters, parts):
         print(f"gam: {UNPROBED}", file=sys.stderr)
