@@ -103,7 +103,8 @@ class Commands(TyperGroup):
         """Write the help of ``gam`` on one screen: a line per command, without boxes."""
         panels: dict[str, list[tuple[str, str]]] = {}
         for name, stand_in in self.commands.items():
-            panels.setdefault(str(stand_in.rich_help_panel), []).append((name, stand_in.help or ""))
+            panel = str(getattr(stand_in, "rich_help_panel", ""))
+            panels.setdefault(panel, []).append((name, stand_in.help or ""))
         options = [record for option in self.get_params(ctx) if (record := option.get_help_record(ctx))]
         formatter.write(f"Usage: {ctx.command_path} COMMAND [OPTIONS]; see also gam COMMAND --help\n\n")
         formatter.write(f"{self.help}\n\n")

@@ -14,10 +14,11 @@ from statistics import median_low
 from typing import Any
 
 from gam_db.checking.words import number_of
-from gam_db.cli import page, toml_text
+from gam_db.cli import toml_text
 from gam_db.cli.config import Settings, load
 from gam_db.cli.job import Job
 from gam_db.cli.progress import working
+from gam_db.cli.render import WORDS
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError, unwritable, wrong
 from gam_db.findings import Row
@@ -189,8 +190,8 @@ def _reason(members: Sequence[Row], job: Job) -> str:
         return "; ".join(words[key] + (f" ({n})" if len(counts) > 1 else "") for key, n in counts)
 
     parts = [
-        f"tau: {counted('tau_rule', page.WORDS['tau'])}",
-        f"m: {counted('fnn_status', page.WORDS['unfolds'])}",
+        f"tau: {counted('tau_rule', WORDS['tau'])}",
+        f"m: {counted('fnn_status', WORDS['unfolds'])}",
     ]
     if floors := [row["recommended_floor"] for row in members if row["verdict"] != "needs_data"]:
         most = f"{min(floors):.3f}" + (f" to {max(floors):.3f}" if max(floors) > min(floors) else "")

@@ -5,21 +5,22 @@ This module owns the command and the text of the file; :mod:`gam_db.checking` lo
 
 import dataclasses
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from gam_db.address import shown
 from gam_db.checking import must_be_fixed, notes
 from gam_db.checking.words import number_of, spoken
-from gam_db.cli import automatic, options, page, toml_text
+from gam_db.cli import automatic, options, toml_text
 from gam_db.cli.check import Seen, heading, looked, note_line
 from gam_db.cli.chosen import calibration_lines, chosen, groups, save
 from gam_db.cli.config import DEFAULT_FILE, Settings
 from gam_db.cli.job import reading
 from gam_db.cli.options import option
+from gam_db.cli.render import Page, Section, Verbatim, show
 from gam_db.columns import name_of
-from gam_db.errors import ConfigurationError, printable
+from gam_db.errors import ConfigurationError
 from gam_db.reading.guess import SourceSettings
 from gam_db.selection.search import Search
 from gam_db.settings.parameters import Parameters, pattern_matches
@@ -61,15 +62,15 @@ def init(
     calibrated = None if study is None else Calibrated(study.method.parameters, study.siblings, names)
     save(out, text(seen, settings, out.parent, choices, calibrated))
 
-    def show(lines: page.Out) -> None:
-        page.say(lines, heading(seen))
+    def sections() -> Iterator[Section]:
+        yield heading(seen)
         if _proposes_window(settings) and seen.proposal.window is None:
-            page.say(lines, f"no window: {seen.proposal.window_reason}")
+            yield f"no window: {seen.proposal.window_reason}"
         if must := sum(note.must for note in seen.notes):
-            page.say(lines, f"fix {number_of(must, 'problem')} first; gam check shows them")
-        lines.print(f"written: {printable(str(out))}; read it, then: gam run", soft_wrap=True)
+            yield f"fix {number_of(must, 'problem')} first; gam check shows them"
+        yield Verbatim(f"written: {out}; read it, then: gam run")
 
-    page.tell({}, show, common, urgent=must_be_fixed(seen.notes))
+    show(Page({}, sections(), urgent=must_be_fixed(seen.notes)), common)
 
 
 EVERY = ("*", "*")
