@@ -9,6 +9,7 @@ import json
 import os
 import signal
 import sys
+import textwrap
 import threading
 import time
 import traceback
@@ -98,6 +99,21 @@ class Commands(TyperGroup):
         name, stand_in, rest = super().resolve_command(ctx, args)
         return name, stand_in and commands.loaded(str(name)), rest
 
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        """Write the help of ``gam`` on one screen: a line per command, without boxes."""
+        panels: dict[str, list[tuple[str, str]]] = {}
+        for name, stand_in in self.commands.items():
+            panel = str(getattr(stand_in, "rich_help_panel", ""))
+            panels.setdefault(panel, []).append((name, stand_in.help or ""))
+        options = [record for option in self.get_params(ctx) if (record := option.get_help_record(ctx))]
+        formatter.write(f"Usage: {ctx.command_path} COMMAND [OPTIONS]; see also gam COMMAND --help\n\n")
+        formatter.write(f"{self.help}\n\n")
+        for panel, lines in (panels | {"Options": options}).items():
+            width = max(len(name) for name, _ in lines)
+            formatter.write(f"{panel}:\n")
+            formatter.write("".join(f"  {name:{width}}  {text}\n" for name, text in lines))
+        formatter.write(f"\n{self.epilog}")
+
     def main(self, args: Sequence[str] | None = None, *more: Any, **named: Any) -> Any:
         """Run one command and end the process with its exit code."""
         named.setdefault("prog_name", "gam")
@@ -170,8 +186,12 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
-    help="A health indicator for every machine channel, computed where the telemetry lies.",
-    epilog=f"Exit codes: {', '.join(f'{code:d} {meaning}' for code, meaning in MEANINGS.items())}.",
+    help="Compute a health indicator for every machine signal, where the data is.",
+    epilog="\n".join(
+        textwrap.wrap(
+            f"Exit codes: {', '.join(f'{code:d} {text}' for code, text in MEANINGS.items())}.", 76
+        )
+    ),
 )
 
 
@@ -186,25 +206,28 @@ def _version(context: typer.Context, wanted: bool) -> None:
 
 @app.callback()
 def of_every_command(
-    version: bool = typer.Option(False, "--version", help="Print the version.", callback=_version),
+    version: bool = typer.Option(
+        False,
+        "--version",
+        help="Print the version; with --verbose also of libraries.",
+        callback=_version,
+    ),
     verbose: bool = typer.Option(
-        False, "--verbose", help="With --version: print what else is installed.", is_eager=True
+        False, "--verbose", help="With --version only.", is_eager=True, hidden=True
     ),
-    debug: bool = typer.Option(
-        False, "--debug", help="With any command: show the traceback of an error."
-    ),
+    debug: bool = typer.Option(False, "--debug", help="Show the traceback of an error."),
     retry: int | None = typer.Option(
         None,
         metavar="N",
-        help="With any command: instead of ending with 75, run it again, up to N times.",
+        help="Run a command that ends with 75 again, up to N times.",
     ),
     timeout: float | None = typer.Option(
         None,
         metavar="SECONDS",
-        help="With any command: stop it after so long, as Ctrl-C does, and end with 75.",
+        help="Stop a command after this time and end with 75.",
     ),
 ) -> None:
-    """Take the options of every command; ``--debug`` and what follows were taken by :class:`Commands`.
+    """Read the options of every command; :class:`Commands` has read ``--debug`` and the next ones.
 
     Raises:
         ConfigurationError: ``--verbose`` stands without ``--version``.

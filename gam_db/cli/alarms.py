@@ -1,4 +1,4 @@
-"""``gam alarms``, ``alarm``, ``label``, ``limits``, ``backtest``: what is raised, what is said of it."""
+"""``gam alarms``, ``alarm``, ``label``, ``limits``, ``backtest``: episodes, labels and limits."""
 
 import datetime as dt
 import operator
@@ -12,6 +12,7 @@ from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place, reading, state_of
 from gam_db.cli.options import argument, option
+from gam_db.cli.render import WORDS, Page, Section, Table, Verbatim, show, time_text
 from gam_db.clock import TimeKind, time_of, zone
 from gam_db.errors import ConfigurationError, printable, wrong
 from gam_db.findings import Row
@@ -36,10 +37,10 @@ def alarms(
     new: bool = option("alarms.new", False),
     after: int = option("alarms.after", 0),
 ) -> None:
-    """Say which signals are raised: since when, how sure, and what to decide.
+    """List alarms: which signals, since when, how sure.
 
-    Episodes that opened right after calibration come first, then those that are open. Exit code 2: one
-    of them needs attention. With --new it is 0, whatever is printed.
+    Episodes that opened right after calibration come first, then open ones. Exit code 2: an episode
+    needs attention. With --new the exit code is 0.
     """
     shown_in, name = zone(common.time_zone), settings.monitor.name
     with state_of(settings) as state:
@@ -48,25 +49,25 @@ def alarms(
             newest = max((row["seq"] for row in changes), default=after)
             messages = [row for row in changes if row["is_message"]]
             streamed: Row = {"monitor": name, "seq": newest, "messages": messages, "changes": changes}
-            page.tell(streamed, lambda out: _show_messages(out, messages, newest, shown_in), common)
+            show(Page(streamed, _messages(messages, newest, shown_in)), common)
             return
         rows, judged = stored.alarms(state, name).to_pylist(), stored.limits(state, name)
     urgent = any(row["needs_attention"] for row in rows)
     overview = {"episodes": rows, "limits": promised(judged), "needs_attention": urgent}
 
-    def show(out: page.Out) -> None:
-        count = number_of(len(rows), "episode") if rows else "nothing was ever raised"
-        page.say(out, f"{heading(settings)}: {count}")
-        page.say(out, *limit_lines(judged))
-        _show_episodes(out, common.of(rows, _SHOWN), shown_in)
-        page.cut(out, rows, common.everything, most=_SHOWN)
+    def sections() -> Iterator[Section]:
+        count = number_of(len(rows), "episode") if rows else "no signal was ever raised"
+        yield f"{heading(settings)}: {count}"
+        yield from limit_lines(judged)
+        yield from _episodes(common.of(rows, _SHOWN), shown_in)
+        yield from page.cut(rows, common.everything, most=_SHOWN)
 
-    page.tell({**place(settings), **overview}, show, common, urgent=urgent)
+    show(Page({**place(settings), **overview}, sections(), urgent), common)
 
 
 @options.of_state(*options.STATE, "time_zone", "as_json", "quiet")
 def alarm(settings: Settings, common: options.Common, episode: int = argument("alarm.episode")) -> None:
-    """Say all that is known of one episode: its judgements, and where the signal went."""
+    """Explain one episode: its judgements and where the signal went."""
     shown_in, name = zone(common.time_zone), settings.monitor.name
     with state_of(settings) as state:
         kind = kind_of(state.monitor(name))
@@ -84,31 +85,23 @@ def alarm(settings: Settings, common: options.Common, episode: int = argument("a
             "raw_rows": stored.raw_rows(state, name, episode_row),
         }
 
-    def show(out: page.Out) -> None:
+    def sections() -> Iterator[Section]:
         if advice is not None:
-            page.say(out, printable(advice.finding), printable(f"What to do next: {advice.advice}"), "")
-        page.say(out, *_facts(episode_row, shown_in), "")
-        judged = [
-            {**row, "until": time_of(row["last_time"], kind), "threshold": row["height"]}
-            for row in details["judgements"]
-        ]
-        columns: dict[str, page.Cell] = {
-            "judgement": "judgement_no",
-            **page.when("until", "until", judged, shown_in),
-            **{name: name for name in ("novel", "evidence", "threshold")},
-        }
-        page.table(out, judged, columns, lambda row: "!" if row["is_open"] else " ")
-        page.say(out, page.WORDS["alarm"]["legend"].format(window=episode_row["window_length"] or 0))
+            yield from (printable(advice.finding), printable(f"What to do next: {advice.advice}"), "")
+        yield from (*_facts(episode_row, shown_in), "")
+        judged = [{**row, "until": time_of(row["last_time"], kind)} for row in details["judgements"]]
+        yield WORDS["alarm"]["judgements"].format(window=episode_row["window_length"] or 0)
+        yield Table("judgements", judged, lambda row: "!" if row["is_open"] else " ", shown_in)
         if details["bands"]:
-            page.say(out, page.WORDS["alarms"]["bands"])
-            page.table(out, details["bands"], _OF_BAND)
-        _show_cells(out, details["cells"], kind, shown_in)
+            yield WORDS["alarms"]["bands"]
+            yield Table("bands", [{**row, "band": row} for row in details["bands"]])
+        yield from _cells(details["cells"], kind, shown_in)
         if details["raw_rows"] is not None:
-            page.say(out, page.WORDS["alarm"]["rows"])
-            page.verbatim(out, f"{details['raw_rows']};")
-        page.verbatim(out, "", *_commands(episode_row))
+            yield WORDS["alarm"]["rows"]
+            yield Verbatim(f"{details['raw_rows']};")
+        yield Verbatim("\n".join(("", *_commands(episode_row))))
 
-    page.tell({"monitor": name, **episode_row, **details}, show, common)
+    show(Page({"monitor": name, **episode_row, **details}, sections()), common)
 
 
 @options.of_state(*options.STATE, "as_json", "quiet")
@@ -120,17 +113,17 @@ def label(
     until: str | None = option("label.until"),
     instead: bool = option("label.instead", False),
 ) -> None:
-    """Keep what is known of an episode, or of a machine in an interval of time.
+    """Label an episode, or an interval of a machine.
 
-    A false alarm right after calibration says that calibration was no fair sample: its channel is judged
-    no more until it is calibrated again.
+    A false alarm right after calibration means that calibration was not a fair sample: the channel is
+    not judged until you calibrate it again.
     """
     if len(words) not in (2, 4):
         raise wrong("label_words", count=len(words))
     name, first, kind = settings.monitor.name, words[0], words[-1]
     of: Row = {"asset": first, "span": (words[1], words[2])} if len(words) == 4 else {}
     if not of:
-        refusal = f"{first!r} is no number of an episode; of a machine say ASSET, two times and KIND."
+        refusal = f"{first!r} is no number of an episode; for a machine give ASSET, two times and KIND."
         of["episode"] = _read(int, first, refusal)
     if until is not None:
         refusal = f"--until is {until!r}; write 2026-03-14 or 2026-03-14T18:00."
@@ -140,14 +133,14 @@ def label(
         rows = [row for row in stored.alarms(state, name).to_pylist() if row["episode"] in episodes]
         judged = {(row["asset"], row["channel"]): row["reason"] for row in stored.limits(state, name)}
     labelled = {"monitor": name, "kind": kind, "episodes": episodes}
-    page.tell(labelled, lambda out: page.say(out, *_label_lines(first, kind, rows, judged)), common)
+    show(Page(labelled, _label_lines(first, kind, rows, judged)), common)
 
 
 def _label_lines(
     first: str, kind: str, rows: Sequence[Row], judged: Mapping[tuple[str, str], str | None]
 ) -> Iterator[str]:
-    """Yield what a label did: of which episodes it is said, and what follows."""
-    texts = page.WORDS["label"]
+    """Yield the labelled episodes, and what follows from the label."""
+    texts = WORDS["label"]
     if not rows:
         yield texts["nothing"].format(asset=printable(first), kind=kind)
     for row in rows:
@@ -164,12 +157,12 @@ def limits(
     again: bool = option("limits.again", False),
     reason: str | None = option("limits.reason"),
 ) -> None:
-    """Say by what each channel is judged, or why it is not.
+    """Show how each signal is judged, or why it is not.
 
-    What was judged stays as it is.
+    With --again it computes the limits again; earlier judgements stay.
     """
     if again != (reason is not None):
-        raise ConfigurationError("--again and --reason go together: say why limits are made anew.")
+        raise ConfigurationError("--again and --reason go together: give the reason for new limits.")
     with state_of(settings, writable=again) as state:
         if reason is not None:
             with state.session.transaction():
@@ -178,39 +171,36 @@ def limits(
                 stored_limits.make(state, settings.monitor.name, *arguments, lambda _: True)
         rows = stored.limits(state, settings.monitor.name)
 
-    def show(out: page.Out) -> None:
-        page.say(out, *limit_lines(rows))
-        shown = common.of(rows)
-        columns: dict[str, page.Cell] = {
-            "channel": page.name_in(shown),
-            "basis": "basis",
-            "height": lambda row: row["height"] if row["reason"] is None else None,
-            "blocks": lambda row: row["blocks"] or 0,
-            "no limit, since": lambda row: row["reason"] or "",
-        }
-        left = ("basis", "no limit, since")
-        page.table(out, shown, columns, lambda row: " " if row["reason"] is None else "?", left)
-        page.cut(out, rows, common.everything)
+    def sections() -> Iterator[Section]:
+        yield from limit_lines(rows)
+        name = page.name_in(common.of(rows))
+        shown = [
+            {**row, "name": name(row), "blocks": row["blocks"] or 0}
+            | ({} if row["reason"] is None else {"height": None})
+            for row in common.of(rows)
+        ]
+        yield Table("limits", shown, lambda row: " " if row["reason"] is None else "?")
+        yield from page.cut(rows, common.everything)
 
-    page.tell({"monitor": settings.monitor.name, **promised(rows), "channels": rows}, show, common)
+    figures = {"monitor": settings.monitor.name, **promised(rows), "channels": rows}
+    show(Page(figures, sections()), common)
 
 
 @options.taking(*options.READ, *options.ALARMS, "as_json", "quiet", "threads")
 def backtest(
     settings: Settings, common: options.Common, healthy: list[str] | None = option("backtest.healthy")
 ) -> None:
-    """Count how often the limits raise what follows calibration, where nothing was wrong.
+    """Count false alarms after calibration, where nothing was wrong.
 
-    Limits are made of the calibration of SOURCE for the asked rate; every full window after it is
-    judged. What is seen is set beside what is stated, with how sure it is.
+    It computes limits from the calibration of SOURCE for the target rate, and judges every full window
+    after calibration. The page compares the counted rate, with its confidence interval, with the stated
+    rate.
     """
     spans = settings_of(Calibration)["intervals"].takes.read("--healthy", healthy) if healthy else None
     with reading(settings, common) as (session, job, _):
         method = (job.parameters, job.calibration)
         backtested = backtesting.backtest(job.guess.source, *method, settings.alarms, spans, session)
-    page.tell(
-        {**job.figures(), **backtested}, lambda out: page.say(out, *_backtest_lines(backtested)), common
-    )
+    show(Page({**job.figures(), **backtested}, _backtest_lines(backtested)), common)
 
 
 def promised(rows: Sequence[Row]) -> Row:
@@ -235,29 +225,29 @@ def promised(rows: Sequence[Row]) -> Row:
 
 
 def limit_lines(rows: Sequence[Row]) -> Iterator[str]:
-    """Yield what is to be said of the limits of some channels."""
+    """Yield the promise of some limits, and the channels without one."""
     promise = promised(rows)
     if promise["judged"]:
         bases = ", ".join(f"{count:,} by {basis}" for basis, count in sorted(promise["basis"].items()))
-        line = f"asked: {'; '.join(promise['asked'])} ({bases})"
+        line = f"target rate: {'; '.join(promise['asked'])} ({bases})"
         if promise["stated"] is not None:
-            line += f"; can be stated: {1000 * promise['stated']:.3g} per 1,000 judgements"
+            line += f"; stated rate: {1000 * promise['stated']:.3g} per 1,000 judgements"
         if often := promise["per_day"]:
             line += f", {often:.2g} a day" if often >= 1 else f", 1 in {1 / often:.2g} days"
             line += " of all channels"
         yield line
     if promise["basis"].get("none"):
         count = number_of(promise["basis"]["none"], "channel")
-        yield f"{count} of which no rate can be stated; they are judged all the same"
+        yield f"{count} without a stated rate; they are judged all the same"
     for reason, count in sorted(promise["withheld"].items()):
         yield f"{number_of(count, 'channel')} without a limit: {reason}"
     if indicated := sum(row["basis"] == "indicator" for row in rows):
-        yield f"{number_of(indicated, 'channel')} judged by the health indicator: no rate can be stated"
+        yield f"{number_of(indicated, 'channel')} judged by the health indicator, without a stated rate"
 
 
 def _backtest_lines(backtested: Row) -> Iterator[str]:
-    """Yield what is said of the figures, a sentence a line; rates are per 1,000 judgements."""
-    texts = page.WORDS["backtest"]
+    """Yield the page of a backtest; rates are per 1,000 judgements."""
+    texts = WORDS["backtest"]
     rates = {name: 1000 * backtested[name] for name in _RATES if backtested[name] is not None}
     yield texts["counted"].format(**backtested)
     yield texts["stated"].format(**backtested | rates) if "stated" in rates else "no rate can be stated"
@@ -282,39 +272,25 @@ def _read(kind: Callable[[str], Any], text: str, refusal: str) -> Any:
         raise ConfigurationError(refusal) from error
 
 
-def _show_episodes(out: page.Out, rows: Sequence[Row], shown_in: dt.tzinfo) -> None:
-    if not rows:
-        return
-
-    def rate(row: Row) -> str | None:
+def _episodes(rows: Sequence[Row], shown_in: dt.tzinfo) -> Iterator[Section]:
+    def rate(row: Row) -> str:
         stated: Any = row["stated_rate"]
         return row["basis"] if stated is None else f"{row['basis']}, {1000 * stated:.3g}"
 
     def mark(row: Row) -> str:
         return _MARKS.get(row["status"], "!") if row["needs_attention"] else " "
 
-    columns: dict[str, page.Cell] = {
-        "episode": lambda row: str(row["episode"]),
-        "channel": page.name_in(rows),
-        "status": "status",
-        **page.when("since", "since", rows, shown_in),
-        "sure": lambda row: None if row["sure"] is None else f"{row['sure']:.1f}",
-        "basis, per 1,000": rate,
-        "open of machine": "signals_open",
-        "label": lambda row: row["label"] or "",
-    }
-    page.table(out, rows, columns, mark, ("channel", "status", "basis, per 1,000", "label"))
+    name = page.name_in(rows)
+    shown = [{**row, "name": name(row), "rate": rate(row)} for row in rows]
+    yield Table("episodes", shown, mark, shown_in)
     for row in {row["incident"]: row for row in rows if row["signals_together"] > 1}.values():
-        machine = printable(row["asset"])
-        page.say(out, page.WORDS["alarms"]["together"].format(machine=machine, **row))
-    if any(row["status"] == "proving" for row in rows):
-        page.say(out, page.WORDS["alarms"]["proving"])
+        yield WORDS["alarms"]["together"].format(machine=printable(row["asset"]), **row)
 
 
 def _facts(row: Row, shown_in: dt.tzinfo) -> Iterator[str]:
-    """Yield what an episode is, how sure, and what people said of it, a line each."""
-    words = page.WORDS["alarm"]
-    since, last = (page.time_text(row[edge], shown_in, named=True) for edge in ("since", "last_time"))
+    """Yield an episode, its evidence and its label, a line each."""
+    words = WORDS["alarm"]
+    since, last = (time_text(row[edge], shown_in, named=True) for edge in ("since", "last_time"))
     names = printable(" / ".join((row["asset"], row["channel"])))
     yield words["episode"].format(**row | {"names": names, "since": since, "last_time": last})
     basis = f"basis {row['basis']}"
@@ -322,16 +298,14 @@ def _facts(row: Row, shown_in: dt.tzinfo) -> Iterator[str]:
         basis += f", stated rate {1000 * row['stated_rate']:.3g} per 1,000 judgements"
     yield words["evidence" if row["sure"] is not None else "indicator"].format(**row | {"basis": basis})
     label = "none yet" if row["label"] is None else row["label"]
-    until = (
-        "" if row["label_until"] is None else f" until {page.time_text(row['label_until'], shown_in)}"
-    )
+    until = "" if row["label_until"] is None else f" until {time_text(row['label_until'], shown_in)}"
     note = "" if row["note"] is None else f" ({row['note']})"
     yield printable(f"feedback: {label}{until}{note}")
 
 
 def _commands(row: Row) -> Iterator[str]:
     """Yield the commands that fit an episode."""
-    words = page.WORDS["commands"]
+    words = WORDS["commands"]
     yield words["title"]
     if row["status"] not in ("merged", "withdrawn"):
         yield words["label" if row["label"] is None else "instead"].format(**row)
@@ -340,50 +314,27 @@ def _commands(row: Row) -> Iterator[str]:
     yield words["limits"]
 
 
-def _show_cells(out: page.Out, cells: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> None:
-    if cells:
-        before = ", ".join(str(axis["samples_before"]) for axis in cells[0]["axes"])
-        page.say(out, f"where it went instead (values {before} samples before; bins from the healthy):")
-        edges = ("first", "last")
-        rows = [row | {edge: time_of(row[f"{edge}_tick"], kind) for edge in edges} for row in cells]
-        has_programs = any(row["program"] is not None for row in rows)
-        programs: dict[str, page.Cell] = {"program": "program"} if has_programs else {}
-        columns: dict[str, page.Cell] = {
-            **programs,
-            "vectors": "visits",
-            **page.when("first", "first", rows, shown_in),
-            **page.when("last", "last", rows, shown_in),
-            "values": lambda row: " | ".join(map(_interval, row["axes"])),
-            "bins": lambda row: " ".join(f"{axis['displacement']:+d}" for axis in row["axes"]),
-        }
-        page.table(out, rows, columns, left=("program", "values", "bins"))
+def _cells(cells: Sequence[Row], kind: TimeKind, shown_in: dt.tzinfo) -> Iterator[Section]:
+    if not cells:
+        return
+    before = ", ".join(str(axis["samples_before"]) for axis in cells[0]["axes"])
+    yield f"where it went instead (values {before} samples before):"
+    shown = [
+        {**row, **{edge: time_of(row[f"{edge}_tick"], kind) for edge in ("first", "last")}}
+        | {"displacements": " ".join(f"{axis['displacement']:+d}" for axis in row["axes"])}
+        for row in cells
+    ]
+    yield Table("cells", shown, zone=shown_in)
 
 
-def _interval(row: Row) -> str:
-    ends = [row[name] for name in ("value_from", "value_to")]
-    if row["place"] == "within":
-        return " to ".join(f"{end:.4g}" for end in ends)
-    return f"{row['place']} {next(end for end in ends if end is not None):.4g}"
-
-
-#: What is told of a band of values.
-_OF_BAND: Mapping[str, page.Cell] = {
-    "value": _interval,
-    "novel": "novel",
-    "vectors": "visits",
-    "more than in calibration": lambda row: f"{row['excess']:,.1f}",
-}
-
-
-def _show_messages(out: page.Out, rows: Sequence[Row], newest: int, shown_in: dt.tzinfo) -> None:
-    """Print one line per message, each behind the newest change that is known by then."""
+def _messages(rows: Sequence[Row], newest: int, shown_in: dt.tzinfo) -> Iterator[str]:
+    """Yield one line per message, each behind the newest change that was stored by then."""
     for row in rows:
         name = printable(f"{row['asset']} {row['channel']}")
-        when = page.time_text(row["noticed_at"], shown_in, named=True)
+        when = time_text(row["noticed_at"], shown_in, named=True)
         others = row["signals_together"] - 1
         beside = f" and {number_of(others, 'other signal')}" if others > 0 else ""
         by = ", by its indicator: no rate can be stated" if row["basis"] == "indicator" else ""
-        line = f"episode {row['episode_id']} {row['what']}: {name}{beside}{by}"
-        page.say(out, f"{row['seq']}  {when}  {line}")
+        yield f"{row['seq']}  {when}  episode {row['episode_id']} {row['what']}: {name}{beside}{by}"
     if rows and newest > rows[-1]["seq"]:
-        page.say(out, f"the newest change is {newest}")
+        yield f"the newest change is {newest}"

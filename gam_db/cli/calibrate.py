@@ -15,6 +15,7 @@ from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, channels_of, heading, job_of, place
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
+from gam_db.cli.render import WORDS, Page, Section, Table, show
 from gam_db.engines.connecting import connect
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, printable, wrong
@@ -41,13 +42,13 @@ from gam_db.study.automatic import Siblings
 def calibrate(
     settings: Settings, common: options.Common, again: bool = option("calibrate.again", False)
 ) -> None:
-    """Learn the healthy part of every channel of SOURCE and freeze it in the database.
+    """Learn the healthy states of every channel and freeze them.
 
-    A channel gets a new version if it has none with these settings; nothing is forgotten. Which source
-    is watched is kept, so later calls, and `gam score`, need no SOURCE. State tables are made where
-    there are none. Exit code 2: a new version is not good enough to be watched (too_fine, needs_data),
-    or would show no shift of its machine (blind). Where none is, exit code 4: one has no usable reading
-    in calibration, or none can be judged.
+    A channel gets a new version if it has none with these settings; earlier versions stay. The database
+    stores which source is watched, so later calls and `gam score` need no SOURCE. gam creates the state
+    tables if they do not exist. Exit code 2: a new version is not good enough to be watched (too_fine,
+    needs_data), or would show no shift of its machine (blind). Otherwise exit code 4: a channel has no
+    usable reading in calibration, or no channel can be judged.
     """
     tables, relation = settings.monitor.tables, settings.source.relation
     is_folder = isinstance(relation, str) and Path(relation).is_dir()
@@ -67,12 +68,12 @@ def calibrate(
     urgent = need_attention(rows) or any(map(is_blind, rows))
     lacking = bool(rows) and lack_data(rows)
 
-    def show(out: page.Out) -> None:
+    def sections() -> Iterator[Section]:
         if applied:
-            page.say(out, f"state tables {tables}* were made in {settings.source.shown_database}")
-        _show(out, heading(settings), job, rows, common.everything, monitor.siblings)
+            yield f"state tables {tables}* were created in {settings.source.shown_database}"
+        yield from _sections(heading(settings), job, rows, common.everything, monitor.siblings)
         if isinstance(relation, tuple):
-            page.say(out, page.WORDS["calibrate"]["files"])
+            yield WORDS["calibrate"]["files"]
 
     figures = {
         **job.figures(),
@@ -83,7 +84,7 @@ def calibrate(
         "verdicts": Counter(row["verdict"] for row in rows),
         "needs_attention": urgent,
     }
-    page.tell(figures, show, common, urgent=urgent, lacking=lacking)
+    show(Page(figures, sections(), urgent, lacking), common)
 
 
 @contextlib.contextmanager
@@ -169,61 +170,41 @@ def _is_poor(row: Row) -> bool:
     return row["status"] == "setup" or is_blind(row)
 
 
-def _show(
-    out: page.Out,
-    where: str,
-    job: Job,
-    rows: Sequence[Row],
-    everything: bool,
-    siblings: Sequence[Siblings],
-) -> None:
+def _sections(
+    where: str, job: Job, rows: Sequence[Row], everything: bool, siblings: Sequence[Siblings]
+) -> Iterator[Section]:
     if not rows:
-        done = "every channel has a version with these settings; --again learns them anew"
-        page.say(out, where, f"nothing to do: {done}")
+        yield where
+        yield "nothing to do: every channel has a version with these settings; --again learns them again"
         return
     versions = page.amount(rows, "new version")
-    page.say(out, f"{where}, from {printable(job.name)}: {versions}{job.settings}")
-    page.say(out, *pools.lines(rows, job.calibration))
-    page.say(out, *job.lines())
-    out.print()
+    yield f"{where}, from {printable(job.name)}: {versions}{job.settings}"
+    yield from pools.lines(rows, job.calibration)
+    yield from job.lines()
+    yield ""
     ordered = sorted(rows, key=lambda row: not _is_poor(row))
     shown = ordered if everything else ordered[: options.SHOWN]
     name = page.name_in(shown)
-    columns: dict[str, page.Cell] = {
-        "channel": name,
-        "version": lambda row: str(row["version_no"]),
-        "reason": "reason",
-        "verdict": "verdict",
-        "sees": page.sees,
-        **page.floors(shown),
-        "vectors": "vectors",
-        "cells": "cells",
-    }
-    left, spare = ("reason", "verdict"), ("cells", "vectors", "sees")
-    page.table(out, shown, columns, lambda row: "?" if _is_poor(row) else " ", left, spare)
-    remarks = (
-        (
-            name(row),
-            [
-                *vouching(row),
-                *shortcomings(row, (row["m"] - 1) * row["tau"]),
-                *sight(row),
-                *dropped(row),
-            ],
-        )
-        for row in shown
-    )
-    page.remarks(out, remarks, everything)
-    page.cut(out, ordered, everything, page.verdicts)
-    out.print()
-    page.say(out, f"verdicts: {page.verdicts(rows)}", *automatic.lines(siblings, everything))
-    page.say(out, *page.unseen(rows))
+    cells = [{**row, "name": name(row)} for row in shown]
+    yield Table("versions", cells, lambda row: "?" if _is_poor(row) else " ")
+    remarks = ((name(row), _remarks(row)) for row in shown)
+    yield from page.remarks(remarks, everything)
+    yield from page.cut(ordered, everything, page.verdicts)
+    yield ""
+    yield f"verdicts: {page.verdicts(rows)}"
+    yield from automatic.lines(siblings, everything)
+    yield from page.unseen(rows)
     if less := [row for row in rows if row["left_out"]]:
         spans = number_of(sum(row["left_out"] for row in less), "interval")
         machines = page.some(sorted({printable(row["asset"]) for row in less}), 3)
-        page.say(out, f"left out of calibration, as true_fault or maintenance: {spans} of {machines}")
-    page.say(out, *page.advice(rows))
+        yield f"left out of calibration, as true_fault or maintenance: {spans} of {machines}"
+    yield from page.advice(rows)
     if not (need_attention(rows) or any(map(is_blind, rows)) or lack_data(rows)):
-        page.say(out, "nothing needs attention")
+        yield "nothing needs attention"
     if any(row["verdict"] != "no_data" for row in rows):
-        page.say(out, "gam score now brings the health indicator up to date")
+        yield "next: gam score brings the health indicator up to date"
+
+
+def _remarks(row: Row) -> list[str]:
+    short = shortcomings(row, (row["m"] - 1) * row["tau"])
+    return [*vouching(row), *short, *sight(row), *dropped(row)]

@@ -1,6 +1,7 @@
-"""``gam check``: what a source is like before anything is learnt of it, and what must be fixed."""
+"""``gam check``: sampling and problems of a source, and whether a state agrees with its source."""
 
 import json
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -14,7 +15,9 @@ from gam_db.cli.config import Settings
 from gam_db.cli.job import Job, reading, watched
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
+from gam_db.cli.render import WORDS, Notes, Page, Section, Table, show
 from gam_db.clock import TimeKind, shown_instant
+from gam_db.columns import name_of
 from gam_db.engines.session import Session
 from gam_db.errors import EngineError, printable
 from gam_db.findings import Row
@@ -22,9 +25,7 @@ from gam_db.stored.checking.proving import keep
 from gam_db.stored.state import State, kind_of
 from gam_db.study.running import Listener
 
-#: The first columns to go where the terminal is narrow.
-_LEAST_SAYING = ("values", "still", "most", "least")
-#: Parts of a state that follow from the source, and of which is told what was counted.
+#: Parts of a state that follow from the source, whose rows are counted.
 _MENDED = ("scored", "calibration")
 
 
@@ -35,25 +36,25 @@ def check(
     relation: str | tuple[str, ...] | None,
     state: bool = option("check.state", False),
 ) -> None:
-    """Look at SOURCE before anything is learnt of it: what it is like, what to fix, what to set.
+    """Check a source: its sampling, problems and suggested settings.
 
-    Per channel: sampling, pauses, missing, repeated and conflicting readings, range, distinct values,
-    standstills, cycle. With --program also what each machine ran and how much of it calibration holds;
-    without it, a column that looks like a program. Ends with 2 if something must be fixed: rows without
-    name or time, conflicts everywhere, one time for all rows, nothing that moves, too few samples for a
-    window on any channel. Nothing is written.
+    It shows per channel: sampling, pauses, missing, repeated and conflicting readings, range, distinct
+    values, standstills, cycle. With --program it also shows what each machine ran and how much of it
+    calibration holds; without it, a column that looks like a program. Exit code 2 means that something
+    must be fixed: rows without name or time, conflicts everywhere, one time for all rows, no signal that
+    moves, or too few samples for a window on every channel. It writes nothing.
     """
     if state:
         _check_state(settings, relation, common)
         return
     with reading(settings, common) as (session, job, on_step):
         seen = looked(session, job, on_step)
-    page.tell(_figures(seen), lambda out: _show(out, seen, common), common, must_be_fixed(seen.notes))
+    show(Page(_figures(seen), _sections(seen, common), must_be_fixed(seen.notes)), common)
 
 
 @dataclass(frozen=True)
 class Seen:
-    """A source, looked at: what was asked, what was seen, what is said of it and what to set."""
+    """A source after a look: the job, the look, notes on it and proposals."""
 
     job: Job
     look: Look
@@ -106,50 +107,36 @@ def _figures(seen: Seen) -> Row:
     }
 
 
-def _show(out: page.Out, seen: Seen, common: options.Common) -> None:
+def _sections(seen: Seen, common: options.Common) -> Iterator[Section]:
     job, look = seen.job, seen.look
-    page.say(out, *(heading(seen) + job.settings, *job.lines()))
+    yield heading(seen) + job.settings
+    yield from job.lines()
     noted = {name for note in seen.notes for name in note.channels}
     urgent = {name for note in seen.notes for name in note.channels if note.must}
 
     def mark(row: Row) -> str:
-        name = (row["asset"], row["channel"])
-        return "!" if name in urgent else "?" if name in noted else " "
+        return "!" if name_of(row) in urgent else "?" if name_of(row) in noted else " "
 
-    out.print()
-    page.notes(out, (("!" if note.must else "-", note_line(note, look)) for note in seen.notes))
-    page.say(out, *_ending(seen))
+    yield ""
+    yield Notes(("!" if note.must else "-", note_line(note, look)) for note in seen.notes)
+    yield from _ending(seen)
     if look.programs:
         of = totals(look)
-        out.print()
-        page.say(out, f"programs ({look.source.program}): {len(of):,}")
-        for total in common.of(of):
-            page.say(out, f"  {total.line(look.kind.is_counter)}")
-        page.cut(out, of, common.everything, what=" programs")
-    out.print()
+        yield ""
+        yield f"programs ({look.source.program}): {len(of):,}"
+        yield from (f"  {total.line(look.kind.is_counter)}" for total in common.of(of))
+        yield from page.cut(of, common.everything, what=" programs")
+    yield ""
     rows = sorted(look.channels, key=lambda row: mark(row) != "!")
-    if not rows:
-        return
-    shown = common.of(rows)
-    columns: dict[str, page.Cell] = {
-        "channel": page.name_in(rows),
-        "samples": "samples",
-        "step": lambda row: _step(row, look),
-        "pauses": lambda row: row["pauses"] or None,
-        "missing": lambda row: percent(row["missing"] / row["samples"]) if row["missing"] else None,
-        "least": lambda row: _value(row["lowest"]),
-        "most": lambda row: _value(row["highest"]),
-        "values": "values_seen",
-        "still": _still,
-        "cycle": lambda row: row["cycle_length"] or None,
-    }
-    empty = [
-        heading for heading in columns if all(page.cell(row, columns[heading]) == "-" for row in shown)
+    name = page.name_in(rows)
+    shown = [
+        {**row, "name": name(row), "step": _step(row, look), "still": _still(row)}
+        | {of: row[of] or None for of in ("pauses", "cycle_length")}
+        | {"missing_share": row["missing"] / row["samples"] if row["missing"] else None}
+        for row in common.of(rows)
     ]
-    spare = (*empty, *(name for name in _LEAST_SAYING if name not in empty))
-    page.table(out, shown, columns, mark, spare=spare)
-    page.cut(out, rows, common.everything)
-    page.say(out, page.WORDS["check"]["columns"])
+    yield Table("check", shown, mark)
+    yield from page.cut(rows, common.everything)
 
 
 def heading(seen: Seen) -> str:
@@ -190,16 +177,10 @@ def _still(row: Any) -> str | None:
     return None if row["longest_still"] <= 1 else percent(share) if share >= 0.01 else "<1 %"
 
 
-def _value(value: float | None) -> str | None:
-    if value is None:
-        return None
-    return f"{value:,.0f}" if 1e4 <= abs(value) < 1e9 else f"{value:.4g}"
-
-
 def _ending(seen: Seen) -> list[str]:
     proposal, look = seen.proposal, seen.look
     must = sum(note.must for note in seen.notes)
-    points = f"{number_of(must, 'point')} marked ! must be fixed before anything is learnt"
+    points = f"{number_of(must, 'point')} marked ! must be fixed before gam can learn"
     lines = [points] if must else []
     if not look.channels:
         return lines
@@ -223,7 +204,9 @@ def _ending(seen: Seen) -> list[str]:
     if proposal.windows:
         to_set.append(f"a shorter window of {number_of(len(proposal.windows), 'channel')}")
     lines += [] if must else ["nothing must be fixed"]
-    return lines + ([f"to be set: {'; '.join(to_set)} (gam init writes it down)"] if to_set else [])
+    return lines + (
+        [f"suggested settings: {'; '.join(to_set)} (gam init writes them)"] if to_set else []
+    )
 
 
 def _check_state(
@@ -248,25 +231,24 @@ def _check_state(
     apart = [_with_times(row, kind, "since", "until") for row in comparison.uncompared.to_pylist()]
     sinces = [since for since in comparison.differences["since"].to_pylist() if since is not None]
 
-    def show(out: page.Out) -> None:
+    def sections() -> Iterator[str]:
         others = {(row["asset"], row["channel"]) for row in rows if row["asset"] is not None}
-        sentence = page.WORDS["check"]["differs" if rows else "in_part" if apart else "same"]
-        page.say(out, sentence.format(name=name, proof=proof, others=len(others)))
-        for row in common.of(rows):
-            page.say(out, f"  {_line(row)}")
-        page.cut(out, rows, common.everything)
+        texts = WORDS["check"]
+        sentence = texts["differs" if rows else "in_part" if apart else "same"]
+        yield sentence.format(name=name, proof=proof, others=len(others))
+        yield from (f"  {_line(row)}" for row in common.of(rows))
+        yield from page.cut(rows, common.everything)
         if sinces:
-            page.say(out, f"gam score --from {shown_instant(min(sinces), kind)} scores them anew")
+            yield f"gam score --from {shown_instant(min(sinces), kind)} scores them again"
         if any(row["part"] == "calibration" for row in rows):
-            page.say(out, "gam calibrate --again makes new versions of the calibration as it is now")
+            yield "gam calibrate --again makes new versions from the calibration as it is now"
         if any(row["part"] not in _MENDED and row["since"] is None for row in rows):
-            page.say(out, page.WORDS["check"]["damaged"])
-        for row in common.of(apart):
-            page.say(out, f"  {_left(row)}")
-        page.cut(out, apart, common.everything)
-        page.say(out, page.WORDS["check"]["held"])
+            yield texts["damaged"]
+        yield from (f"  {_left(row)}" for row in common.of(apart))
+        yield from page.cut(apart, common.everything)
+        yield texts["held"]
         if unkept is not None:
-            page.say(out, f"that this was checked could not be recorded: {unkept}")
+            yield f"the time of this check could not be recorded: {unkept}"
 
     figures = {
         "monitor": name,
@@ -276,11 +258,11 @@ def _check_state(
         "differences": rows,
         "uncompared": apart,
     }
-    page.tell(figures, show, common, urgent=bool(rows))
+    show(Page(figures, sections(), urgent=bool(rows)), common)
 
 
 def _line(row: Row) -> str:
-    """Return what is said of a difference, whose time is told."""
+    """Return a difference as a line."""
     named = printable(f"{row['asset']} {row['channel']}")
     since = "" if row["since"] is None else f", from {row['since']} on"
     if row["part"] not in _MENDED:
@@ -294,9 +276,9 @@ def _line(row: Row) -> str:
 
 
 def _left(row: Row) -> str:
-    """Return what is said of what is not compared, whose times are told."""
+    """Return a part that is not compared as a line."""
     named = printable(f"{row['asset']} {row['channel']}")
-    sentence = page.WORDS["check"][row["why"].replace(" ", "_")]
+    sentence = WORDS["check"][row["why"].replace(" ", "_")]
     edge = row["until"] if row["since"] is None else row["since"]
     return f"{named}: {row['part']}: {sentence.format(edge=edge or 'now')}"
 

@@ -17,6 +17,7 @@ from gam_db.cli.config import DEFAULT_FILE, Settings, load
 from gam_db.cli.course import Course
 from gam_db.cli.job import Job, healthy_part, reading
 from gam_db.cli.options import option
+from gam_db.cli.render import WORDS, Notes, Page, Section, Title, show
 from gam_db.columns import name_of
 from gam_db.errors import printable
 from gam_db.findings import Row
@@ -37,12 +38,11 @@ def select(
     common: options.Common,
     write: Path | None = option("select.write"),
 ) -> None:
-    """Choose delay, embedding dimension, bins and window for every channel of SOURCE.
+    """Choose delay, dimension, bins and window for every channel.
 
-    Only the healthy part is looked at (--calibration-fraction 1 for all of it). --bins is the finest
-    grid and --window the window that are asked for; --m is taken where no rule finds a dimension.
-    Overrides and pools of gam.toml are left out: each channel speaks for itself. --json prints all
-    curves.
+    It reads only the healthy part (--calibration-fraction 1 for all rows). --bins is the finest grid to
+    try and --window the wanted window; --m applies where no rule finds a dimension. Each channel is
+    studied alone: overrides and pools of gam.toml do not apply. --json prints all curves.
     """
     with reading(settings, common) as (session, whole, on_step):
         open_parameters = dataclasses.replace(whole.parameters, tau=AUTO, bins=AUTO, overrides=())
@@ -68,48 +68,48 @@ def select(
     }
     by_name = {name_of(row): of for of in study.siblings for row in of.channels}
 
-    def show(out: page.Out) -> None:
-        _show(out, job, selection, common, by_name)
+    def sections() -> Iterator[Section]:
+        yield from _sections(job, selection, common, by_name)
         if write is None:
             return
         file, named = printable(str(write)), f" --config {shlex.quote(str(write))}"
-        page.say(out, f"written: {file}; read it, then: gam run{named * (write != Path(DEFAULT_FILE))}")
+        yield f"written: {file}; read it, then: gam run{named * (write != Path(DEFAULT_FILE))}"
         if load(write).method()[1] != whole.calibration:
-            page.say(out, page.WORDS["select"]["other_calibration"].format(file=file))
+            yield WORDS["select"]["other_calibration"].format(file=file)
 
-    page.tell(figures, show, common, failed=len(selection.failures) > 0)
+    show(Page(figures, sections(), failed=len(selection.failures) > 0), common)
 
 
 _REQUESTED = ("m", "bins", "window", "target_floor")
 _LAGS = (("minimum", "ami_minimum"), ("acf < 1/e", "acf_1e"), ("acf <= 0", "acf_zero"))
 
 
-def _show(
-    out: page.Out,
+def _sections(
     job: Job,
     selection: Selection,
     common: options.Common,
     by_name: Mapping[tuple[str, str], Siblings],
-) -> None:
+) -> Iterator[Section]:
     choices: list[Row] = selection.choices.to_pylist()
-    page.say(out, f"{printable(job.name)}: {number_of(len(choices), 'channel')}")
-    page.say(out, job.columns_line())
-    page.say(out, f"chosen from {healthy_part(job.calibration)}")
+    yield f"{printable(job.name)}: {number_of(len(choices), 'channel')}"
+    yield job.columns_line()
+    yield f"chosen from {healthy_part(job.calibration)}"
     curves = [_by_channel(table) for table in (selection.lags, selection.dimensions, selection.budget)]
     for choice in common.of(choices):
         key = (choice["asset"], choice["channel"])
-        page.title(out, " ".join(map(printable, key)))
-        page.notes(out, _lines(choice, job.parameters.window, *(of[key] for of in curves)))
+        yield Title(" ".join(map(printable, key)))
+        lines = list(_lines(choice, job.parameters.window, *(of[key] for of in curves)))
         if (of := by_name.get(key)) is not None:
             scores = f"by delay: {automatic.scores(of)}; {number_of(len(of.channels), 'sibling')}"
-            page.notes(out, [("score", f"{scores} take tau {of.tau}")])
+            lines.append(("score", f"{scores} take tau {of.tau}"))
+        yield Notes(lines)
     for failure in selection.failures.to_pylist():
-        out.print()
+        yield ""
         name = f"{printable(failure['asset'])} {printable(failure['channel'])}"
-        page.say(out, f"{name}: nothing chosen, by a fault of gam-db or its engine: {failure['reason']}")
+        yield f"{name}: no choice, because of a fault of gam-db or its engine: {failure['reason']}"
     if len(choices) > options.SHOWN:
-        out.print()
-    page.cut(out, choices, common.everything)
+        yield ""
+    yield from page.cut(choices, common.everything)
 
 
 def _lines(
@@ -121,14 +121,14 @@ def _lines(
         return
     tau = "-" if choice["tau"] is None else choice["tau"]
     others = ", ".join(f"{name} {choice[lag]}" for name, lag in _LAGS if choice[lag] is not None)
-    yield "tau", f"{tau}: {page.WORDS['tau'][choice['tau_rule']]}" + (f" ({others})" if others else "")
+    yield "tau", f"{tau}: {WORDS['tau'][choice['tau_rule']]}" + (f" ({others})" if others else "")
     if len(lags) > 1:
         highest = max(row["ami"] for row in lags[1:])
         yield "AMI", Course(_scaled([row["ami"] for row in lags[1:]]))
         yield "", f"lags 1 to {lags[-1]['delay']}, up to {highest:.2f} nats"
         yield "acf", Course(_scaled([row["acf"] for row in lags[1:]]))
-    dimension = page.WORDS["dimension"][choice["fnn_status"]].format(m=choice["m_fnn"])
-    cao = page.WORDS["cao"][choice["cao_status"]].format(m=choice["m_cao"])
+    dimension = WORDS["dimension"][choice["fnn_status"]].format(m=choice["m_fnn"])
+    cao = WORDS["cao"][choice["cao_status"]].format(m=choice["m_cao"])
     yield "m", f"{dimension}; {cao}"
     if dimensions:
         shares = [row["false_share"] for row in dimensions]
@@ -145,10 +145,10 @@ def _lines(
 def _window(choice: Row, window: int) -> str:
     taken = choice["recommended_window"]
     if taken is None:
-        return page.WORDS["select"]["no_window"]
+        return WORDS["select"]["no_window"]
     wanted = window if choice["window_status"] != "short" else 5 * choice["cycle_length"]
     if taken < wanted:
-        return page.WORDS["select"]["eighth"].format(taken=taken, wanted=wanted)
+        return WORDS["select"]["eighth"].format(taken=taken, wanted=wanted)
     if choice["window_status"] == "no_cycle":
         return f"{window}: as asked for; no cycle seen"
     cycle = choice["cycle_length"]

@@ -14,10 +14,11 @@ from statistics import median_low
 from typing import Any
 
 from gam_db.checking.words import number_of
-from gam_db.cli import page, toml_text
+from gam_db.cli import toml_text
 from gam_db.cli.config import Settings, load
 from gam_db.cli.job import Job
 from gam_db.cli.progress import working
+from gam_db.cli.render import WORDS
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError, unwritable, wrong
 from gam_db.findings import Row
@@ -139,8 +140,8 @@ def calibration_lines(calibration: Mapping[str, Any]) -> list[str]:
     if not set(WAYS) & set(calibration):
         entries = {"fraction": (0.2, "the first 20 % of each channel: the default"), **entries}
     lines = toml_text.comment(
-        "The part that is known to be healthy; better than a share is what you know: "
-        "intervals = [[FROM, TO]], such as [[2026-03-01, 2026-03-14T18:00:00]] or [[0, 5000]]."
+        "The healthy part of each channel. If you know when it was healthy, set intervals instead of a "
+        "share: intervals = [[FROM, TO]], such as [[2026-03-01, 2026-03-14T18:00:00]] or [[0, 5000]]."
     )
     lines += toml_text.entries(entries)
     for pattern, rule in calibration.get("overrides", {}).items():
@@ -182,15 +183,15 @@ def _together(names: Sequence[Name], pools: Sequence[Sequence[str]]) -> list[lis
 
 def _reason(members: Sequence[Row], job: Job) -> str:
     if not members:
-        return "As before; nothing was chosen."
+        return "Unchanged; gam select chose nothing."
 
     def counted(column: str, words: Mapping[str, str]) -> str:
         counts = Counter(row[column] for row in members).most_common()
         return "; ".join(words[key] + (f" ({n})" if len(counts) > 1 else "") for key, n in counts)
 
     parts = [
-        f"tau: {counted('tau_rule', page.WORDS['tau'])}",
-        f"m: {counted('fnn_status', page.WORDS['unfolds'])}",
+        f"tau: {counted('tau_rule', WORDS['tau'])}",
+        f"m: {counted('fnn_status', WORDS['unfolds'])}",
     ]
     if floors := [row["recommended_floor"] for row in members if row["verdict"] != "needs_data"]:
         most = f"{min(floors):.3f}" + (f" to {max(floors):.3f}" if max(floors) > min(floors) else "")
@@ -200,13 +201,13 @@ def _reason(members: Sequence[Row], job: Job) -> str:
         parts.append(f"needs_data: no grid passes for {short}, calibrate longer")
     windows = [row for row in members if row["recommended_window"] is not None]
     if any(row["recommended_window"] < _wanted(row, job) for row in windows):
-        parts.append("window: an eighth of calibration at most")
+        parts.append("window: at most an eighth of calibration")
     elif cycles := [row["cycle_length"] for row in windows if row["window_status"] == "short"]:
         parts.append(f"window: five cycles of up to {max(cycles):,} samples")
     if none := sum(row["recommended_window"] is None for row in members):
         parts.append(f"no window: calibration of {number_of(none, 'channel')} is too short for any")
     if job.calibration.pools:
-        parts.append("one choice for all that learn together")
+        parts.append("one choice for each pool")
     return f"{number_of(len(members), 'channel')}. {'. '.join(parts)}."
 
 

@@ -1,4 +1,4 @@
-"""``gam demo``: what gam-db says of a simulated machine, or of a simulated plant."""
+"""``gam demo``: the page of a simulated machine, or of a simulated plant."""
 
 import shlex
 from pathlib import Path
@@ -7,13 +7,13 @@ from pyarrow import parquet
 
 from gam_db import langevin
 from gam_db.alarms import Alarms
-from gam_db.cli import page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import job_of
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
-from gam_db.cli.report import checked, page_of, show_written
-from gam_db.cli.summary import show
+from gam_db.cli.render import WORDS, Verbatim, write
+from gam_db.cli.report import checked, page_of, written
+from gam_db.cli.summary import Summary
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError
 from gam_db.findings import findings
@@ -29,11 +29,10 @@ _SIMULATED = Settings(
 
 
 def demo(keep: Path | None = option("demo.keep"), report: Path | None = option("demo.report")) -> None:
-    """Simulate a machine that wears out, and print what `gam run` prints of it. Writes nothing.
+    """Run gam on a simulated machine that wears out.
 
-    With --out it writes the series, with --report the page of a simulated plant, and nothing else.
+    It writes nothing, unless you add --out (the series) or --report (the page of a simulated plant).
     """
-    lines = page.console()
     if report is not None:
         if keep is not None:
             raise ConfigurationError("--report and --out are of different machines; leave one out.")
@@ -43,8 +42,7 @@ def demo(keep: Path | None = option("demo.keep"), report: Path | None = option("
             wishes = Wishes(title="A simulated plant", time_zone=plant.TIME_ZONE, made=plant.END)
             method = (plant.PARAMETERS, plant.CALIBRATION, Alarms())
             figures = page_of(Source(plant.telemetry()), method, path, wishes, on_step)
-        show_written(lines, figures)
-        page.say(lines, "Open it in a browser; it needs no network.")
+        write([*written(figures), "Open it in a browser; it needs no network."])
         return
     if keep is not None and (keep.suffix != ".parquet" or not keep.parent.is_dir()):
         raise ConfigurationError(f"--out is {keep}; give a name in .parquet, in a folder that is there.")
@@ -56,16 +54,12 @@ def demo(keep: Path | None = option("demo.keep"), report: Path | None = option("
         series = langevin.series()
         job = job_of(session, _SIMULATED, series, "simulated machine")
         channels = findings(job.study(session, on_step))
-    page.say(lines, page.WORDS["demo"]["introduction"])
-    lines.print()
-    show(lines, job, channels)
-    lines.print()
+    texts = WORDS["demo"]
+    sections = [texts["introduction"], "", *Summary(job, channels).sections(), ""]
     if keep is not None:
         parquet.write_table(series, keep)
         words = [f"--{name} {value}" for name, value in _SIMULATED.parameters.items()]
         words.append(f"--calibration-fraction {langevin.CALIBRATION}")
-        page.say(lines, f"The series is in {keep}. The same again, and the indicator written:")
-        lines.print(f"    gam run {shlex.quote(str(keep))} {' '.join(words)}", soft_wrap=True)
-    page.say(lines, page.WORDS["demo"]["next"])
-    lines.print("    gam run recording.parquet")
-    page.say(lines, page.WORDS["demo"]["calibration"])
+        again = f"    gam run {shlex.quote(str(keep))} {' '.join(words)}"
+        sections += [f"The series is in {keep}. To compute and write its indicator:", Verbatim(again)]
+    write([*sections, texts["next"], Verbatim("    gam run recording.parquet"), texts["calibration"]])

@@ -5,21 +5,22 @@ This module owns the command and the text of the file; :mod:`gam_db.checking` lo
 
 import dataclasses
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from gam_db.address import shown
 from gam_db.checking import must_be_fixed, notes
-from gam_db.checking.words import spoken
-from gam_db.cli import automatic, options, page, toml_text
+from gam_db.checking.words import number_of, spoken
+from gam_db.cli import automatic, options, toml_text
 from gam_db.cli.check import Seen, heading, looked, note_line
 from gam_db.cli.chosen import calibration_lines, chosen, groups, save
 from gam_db.cli.config import DEFAULT_FILE, Settings
 from gam_db.cli.job import reading
 from gam_db.cli.options import option
+from gam_db.cli.render import Page, Section, Verbatim, show
 from gam_db.columns import name_of
-from gam_db.errors import ConfigurationError, printable
+from gam_db.errors import ConfigurationError
 from gam_db.reading.guess import SourceSettings
 from gam_db.selection.search import Search
 from gam_db.settings.parameters import Parameters, pattern_matches
@@ -37,14 +38,16 @@ def init(
     force: bool = option("init.force", False),
     select: bool = option("init.select", False),
 ) -> None:
-    """Write a commented gam.toml for SOURCE: its columns, and parameters with the reason for each.
+    """Write a commented gam.toml for a source.
 
-    What is given as an option is taken as it is; columns are guessed and max_gap and window are
-    proposed from a look at the source. An existing file is left alone unless --force says otherwise.
-    Ends with 2 if something of the source must be fixed first (the file says what).
+    The file holds the columns and the parameters, each with its reason. gam looks at the source to guess
+    columns and to propose max_gap and window; options override both. An existing file stays, unless you
+    add --force. Exit code 2 means that the source must be fixed first; the file says what.
     """
     if out.exists() and not force:
-        raise ConfigurationError(f"{out} is there already; --force replaces it, --out writes another.")
+        raise ConfigurationError(
+            f"{out} already exists; --force replaces it, --out writes another file."
+        )
     if not out.parent.is_dir():
         raise ConfigurationError(f"--out is {out}; the folder {out.parent} is not there.")
     with reading(settings, common) as (session, job, on_step):
@@ -59,15 +62,15 @@ def init(
     calibrated = None if study is None else Calibrated(study.method.parameters, study.siblings, names)
     save(out, text(seen, settings, out.parent, choices, calibrated))
 
-    def show(lines: page.Out) -> None:
-        page.say(lines, heading(seen))
+    def sections() -> Iterator[Section]:
+        yield heading(seen)
         if _proposes_window(settings) and seen.proposal.window is None:
-            page.say(lines, f"no window: {seen.proposal.window_reason}")
+            yield f"no window: {seen.proposal.window_reason}"
         if must := sum(note.must for note in seen.notes):
-            page.say(lines, f"{must} to be fixed first; gam check says what")
-        lines.print(f"written: {printable(str(out))}; read it, then: gam run", soft_wrap=True)
+            yield f"fix {number_of(must, 'problem')} first; gam check shows them"
+        yield Verbatim(f"written: {out}; read it, then: gam run")
 
-    page.tell({}, show, common, urgent=must_be_fixed(seen.notes))
+    show(Page({}, sections(), urgent=must_be_fixed(seen.notes)), common)
 
 
 EVERY = ("*", "*")
@@ -108,13 +111,13 @@ def text(
     choices: Sequence[dict[str, Any]] | None = None,
     calibrated: Calibrated | None = None,
 ) -> str:
-    """Return the text of a settings file in a folder; with what ``gam select`` says, where asked.
+    """Return the text of a settings file in a folder, with the choices of ``gam select`` if any.
 
-    Found is what calibration chooses of settings that are left open.
+    *calibrated* is what calibration chooses for open settings.
     """
     lines = toml_text.comment(
-        f"Settings of gam-db. {heading(seen)}. Columns and parameters are "
-        "proposed from a look at the source; all keys can be left out or changed."
+        f"Settings of gam-db. {heading(seen)}. gam proposed the columns and parameters from a look at "
+        "the source. You can change or remove every key."
     )
     for note in seen.notes:
         sentence = note_line(note, seen.look)
@@ -166,10 +169,13 @@ def text(
 
 
 def _unsaid(seen: Seen, settings: Settings) -> list[tuple[str, Any, Mapping[str, Any], str]]:
-    """Return what a look can propose and nobody said: for all channels, for some, or why for none."""
-    proposal, never = seen.proposal, "never, since nothing stood still for a short part of calibration"
+    """Return proposals for open settings: for all channels, for some, or why there is none."""
+    proposal, never = (
+        seen.proposal,
+        "never, because no signal stood still for a short part of calibration",
+    )
     every = (
-        ("max_gap", proposal.max_gap, proposal.gaps, "no limit, since no pause was found"),
+        ("max_gap", proposal.max_gap, proposal.gaps, "no limit, because the source has no pause"),
         ("still_after", proposal.still, proposal.stills, never),
     )
     return [row for row in every if row[0] not in settings.parameters]
@@ -215,7 +221,7 @@ def _source(seen: Seen, settings: Settings, folder: Path) -> dict[str, tuple[Any
         columns["channels"] = list(source.value_columns)
     for role, column in columns.items():
         if column is None:
-            entries[role] = (False, f"there is no {fields[role].what}")
+            entries[role] = (False, f"no {fields[role].what}")
         else:
             entries[role] = (column, fields[role].what + (", guessed" if role in guess.guessed else ""))
     entries |= {name: (value, fields[name].what) for name, value in source.written.items()}
@@ -235,7 +241,7 @@ def _parameters(seen: Seen, settings: Settings) -> dict[str, tuple[Any, str]]:
     parameters, proposal = seen.job.parameters, seen.proposal
     proposed: dict[str, tuple[Any, str]] = {}
     for name, suggestion, by_channel, never in _unsaid(seen, settings):
-        several = "none for all channels, see the overrides"
+        several = "none for all channels; see the overrides"
         proposed[name] = (
             (False, several if by_channel else never)
             if suggestion is None

@@ -2,9 +2,8 @@
 
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import partial
 from importlib.metadata import entry_points
 from itertools import takewhile
 from pathlib import Path
@@ -13,17 +12,18 @@ from typing import Any, Literal
 from pyarrow import ArrowInvalid, parquet
 
 from gam_db.address import is_url
-from gam_db.cli import options, page
+from gam_db.cli import options
 from gam_db.cli.config import Settings
 from gam_db.cli.job import job_of
 from gam_db.cli.options import option
 from gam_db.cli.progress import Progress, interruptible
+from gam_db.cli.render import Page, Section, Verbatim, show, write
 from gam_db.cli.report import checked, page_of
 from gam_db.cli.summary import ahead_of, summarised
 from gam_db.clock import zone
 from gam_db.engines.connecting import connect
 from gam_db.engines.duckdb.files import SOURCE_MARK
-from gam_db.errors import ConfigurationError, printable, wrong
+from gam_db.errors import ConfigurationError, wrong
 from gam_db.reading.ahead import ahead_sentences
 from gam_db.report import Wishes
 from gam_db.settings.source import FILE_ENDINGS, is_file, paths_of
@@ -47,17 +47,17 @@ def run(
     report: Path | None = option("run.report"),
     estimator: str = option("run.estimator", DSE),
 ) -> None:
-    """Compute the health indicator of every channel of SOURCE, print what was found, write the table.
+    """Compute and write the health indicator of every channel.
 
-    A channel needs attention (exit code 2) if an episode of it does, one that is open or began right
-    after calibration; or, where calibration gave no limit of judgements, if its indicator is above its
-    limit, the largest of twice the floor, the highest block of calibration and --target-floor; or if its
-    calibration is not good enough to be watched (too_fine, needs_data, or no fair sample of what
-    followed); or if it would show no shift of its machine (blind). Constant channels and channels
-    without calibration never raise an alarm; where no channel needs attention, exit code 4 says that one
-    has no usable reading in calibration, that none can be judged, or that a program was calibrated too
-    little or never. By another --estimator there is an
-    indicator (written to SOURCE.NAME.parquet) but no verdict.
+    A channel needs attention (exit code 2) if one of its episodes is open or began right after
+    calibration. Without a limit for judgements, it needs attention if its indicator is above its limit:
+    the largest of twice the floor, the highest block of calibration and --target-floor. It also needs
+    attention if its calibration is not good enough to be watched (too_fine, needs_data, or not a fair
+    sample of what followed), or if it would show no shift of its machine (blind). Constant channels and
+    channels without calibration never raise an alarm. If no channel needs attention, exit code 4 means
+    that a channel has no usable reading in calibration, that no channel can be judged, or that a program
+    was calibrated too little or never. Another --estimator gives an indicator (in SOURCE.NAME.parquet),
+    but no verdict.
     """
     shown_in = zone(common.time_zone)
     others = None if estimator.lower() == DSE else _others(estimator)
@@ -71,7 +71,7 @@ def run(
             raise wrong("report_of_an_estimator", own=DSE)
     results = [] if no_out else results_of(relation, settings.source.database, out, every, estimator)
     written = [str(output) for output in (*results, *([] if report is None else [report]))]
-    shows: Callable[[page.Out], None]
+    sections: Iterable[Section]
     files, everything = [result.path for result in results], common.everything
     is_writable = any(_is_same(path, settings.source.database) for path in files)
     opened = connect(settings.source.database, common.threads, is_writable, files)
@@ -83,19 +83,18 @@ def run(
                 longest = park_after(settings.monitor.park_after, study.method.kind)
                 summary = summarised(study, job, settings.alarms, longest)
                 urgent, lacking, figures = summary.needs_attention, summary.lacks_data, summary.figures()
-                shows = partial(summary.show, everything=everything, shown_in=shown_in)
+                sections = summary.sections(everything, shown_in)
             else:
                 others.add_estimator(study, estimator)
                 rows, urgent = study.rows("last_scores"), False
                 figures = {"estimator": estimator, "channels": rows}
-                arguments = {"estimator": estimator, "rows": rows, "everything": everything}
-                shows = partial(others.show_scores, job=job, **arguments)
+                sections = [
+                    *others.sections(job, estimator, rows, everything),
+                    *ahead_sentences(study.ahead, len(rows), study.clock),
+                ]
                 figures["ahead"], lacking = ahead_of(study), bool(study.ahead)
         if not (common.as_json or common.quiet):
-            shows(page.console())
-            if others is not None:
-                ahead = ahead_sentences(study.ahead, len(figures["channels"]), study.clock)
-                page.say(page.console(), *ahead)
+            write(sections)
         with Progress(session, common.quiet) as progress:
             for result in results:
                 progress.on_step(f"writing {result}")
@@ -105,13 +104,8 @@ def run(
                 method = (job.parameters, job.calibration, settings.alarms)
                 page_of(job.guess.source, method, report, wishes, progress.on_step)
 
-    def show_written(lines: page.Out) -> None:
-        for output in written:
-            lines.print(f"written: {printable(output)}", soft_wrap=True)
-
-    page.tell(
-        {**job.figures(), **figures, "written": written}, show_written, common, urgent, lacking=lacking
-    )
+    ending = (Verbatim(f"written: {output}") for output in written)
+    show(Page({**job.figures(), **figures, "written": written}, ending, urgent, lacking), common)
 
 
 def _others(estimator: str) -> Any:

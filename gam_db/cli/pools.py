@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from gam_db.checking.words import number_of
 from gam_db.cli import page
+from gam_db.cli.render import WORDS
 from gam_db.errors import printable
 from gam_db.findings import Row
 from gam_db.settings.calibration import Calibration
@@ -17,7 +18,7 @@ def lines(rows: Sequence[Row], calibration: Calibration) -> list[str]:
         rows: of channels, with asset, vouched_by and taught_by (see :func:`gam_db.support`).
         calibration: under which they were calibrated.
     """
-    texts, sentences = page.WORDS["pools"], []
+    texts, sentences = WORDS["pools"], []
     teachers = calibration.teachers if calibration.pool is not None else ()
     assets = {row["asset"] for row in rows}
     if teachers and not any(pattern_matches(teacher, asset) for teacher in teachers for asset in assets):

@@ -1,34 +1,53 @@
 """Progress: a status line on stderr while a study works, and a clean end when it is interrupted.
 
-This module owns what is shown meanwhile; it computes nothing.
+This module owns the line; ``stages.toml`` has the words of each step.
 """
 
 import contextlib
+import re
 import signal
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
 from types import FrameType
 
 from rich.console import Console, RenderableType
 from rich.status import Status
 
+from gam_db import data
+from gam_db.composing.template import sql_folder
 from gam_db.engines.session import Session
 from gam_db.study.running import Listener
 
-EVERY = 30.0
-"""Seconds after which a run that writes into a log says what it does, and then again."""
+EVERY = 60.0
+"""Seconds between two lines of progress in a log."""
+
+
+def stage(step: str) -> str:
+    """Return a step in words that a user knows; a step that is words already stays."""
+    return step if " " in step else _stages().get(re.sub(r"(_\d+)+$", "", step), "working")
+
+
+@cache
+def _stages() -> Mapping[str, str]:
+    words = data.table("gam_db.cli", "stages.toml")
+    stages = dict(words["names"])
+    for folder, text in words["folders"].items():
+        for path in (sql_folder() / folder).glob("*.sql"):
+            stages.setdefault(path.stem, text)
+    return stages
 
 
 class Progress:
-    """A status line: the step at work, for how long, and how far DuckDB says it is.
+    """A status line: the stage at work, for how long, and how far DuckDB says its statement is.
 
-    Where stderr is no terminal, a run prints a line at each step once it lasts 30 s, and one every 30 s.
+    Where stderr is no terminal, a run prints such a line once a minute.
     """
 
     def __init__(self, session: Session, quiet: bool = False) -> None:
         self._console, self._session = Console(stderr=True), session
-        self._step = "looking at the source"
+        self._stage = "reading the source"
         self._since = self._begin = time.monotonic()
         shown = self._console.is_terminal and not quiet
         self._status = Status(self, console=self._console, refresh_per_second=5) if shown else None
@@ -52,27 +71,22 @@ class Progress:
 
     def _log(self) -> None:
         while not self._ended.wait(EVERY):
-            self._tell()
-
-    def _tell(self) -> None:
-        with contextlib.suppress(OSError, ValueError):  # the log may be gone
-            self._console.print(self.__rich__(), soft_wrap=True, highlight=False)
+            with contextlib.suppress(OSError, ValueError):  # the log may be gone
+                self._console.print(self.__rich__(), soft_wrap=True, highlight=False)
 
     def on_step(self, step: str) -> None:
         """Take note of the step that begins."""
-        self._step = step
-        self._since = time.monotonic()
-        if self._is_logged and self._since - self._begin >= EVERY:
-            self._tell()
+        if (now_at := stage(step)) != self._stage:
+            self._stage, self._since = now_at, time.monotonic()
 
     def __rich__(self) -> RenderableType:
         now = time.monotonic()
-        line = f"{self._step}  {now - self._since:.0f} s"
+        line = f"{self._stage}  {now - self._since:.0f} s"
         with contextlib.suppress(Exception):  # a line of comfort must not end the work
             percent = self._session.progress()
             if 0 < percent < 100:
                 line += f", {percent:.0f} %"
-        return f"{line}  (in all {now - self._begin:.0f} s)"
+        return f"{line}  (total {now - self._begin:.0f} s)"
 
 
 @contextlib.contextmanager
@@ -104,6 +118,6 @@ def interruptible() -> Iterator[None]:
 
 @contextlib.contextmanager
 def working(session: Session, quiet: bool = False) -> Iterator[Listener]:
-    """Close a session after some work, and show meanwhile what is done; yields what is told the step."""
+    """Show progress during some work and close the session after it; yields the listener of steps."""
     with interruptible(), session, Progress(session, quiet) as progress:
         yield progress.on_step

@@ -3,17 +3,18 @@
 This module owns the command, and the page of a file without a monitor; :mod:`gam_db.report` makes it.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from gam_db.alarms import Alarms
 from gam_db.checking.words import number_of
-from gam_db.cli import options, page
+from gam_db.cli import options
 from gam_db.cli.config import Settings
 from gam_db.cli.job import watched
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
+from gam_db.cli.render import WORDS, Page, show
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError
 from gam_db.report import Wishes
@@ -33,17 +34,17 @@ def report(
     common: options.Common,
     out: Path = option("report.out", Path("report.html")),
 ) -> None:
-    """Write the page for people who look: which machines left health, since when, and where they went.
+    """Write an HTML page that shows which machines left health.
 
-    One HTML file that needs no network and nothing else; any browser opens it. It reads the state, and
-    raw readings of the signals in detail where the source can be read.
+    The page shows since when, and where the signals went. It is one HTML file that needs no network. gam
+    reads the state, and the raw readings of the signals in detail if it can read the source.
     """
     path = checked(out, "--out")
     silent = common.quiet or common.as_json
     with options.opened(settings, writable=False) as session, working(session, silent) as on_step:
         monitor, _ = watched(session, settings, settings.source.relation)
         figures = monitor.report(path, wishes, on_step)
-    page.tell(figures, lambda lines: show_written(lines, figures), common)
+    show(Page(figures, written(figures)), common)
 
 
 def checked(path: Path, option: str) -> Path:
@@ -72,10 +73,9 @@ def page_of(
         return monitor.report(path, wishes, on_step)
 
 
-def show_written(lines: page.Out, figures: Mapping[str, Any]) -> None:
-    """Print what was written."""
+def written(figures: Mapping[str, Any]) -> Iterator[str]:
+    """Yield what was written."""
     counted = {f"all_{of}s": number_of(figures[f"{of}s"], of) for of in ("machine", "signal")}
-    size = figures["bytes"] / 1e6
-    page.say(lines, page.WORDS["report"]["written"].format(**figures, **counted, size=size))
+    yield WORDS["report"]["written"].format(**figures, **counted, size=figures["bytes"] / 1e6)
     if figures["raw"] is not None:
-        page.say(lines, f"raw readings are not in it: {figures['raw']}")
+        yield f"raw readings are not in it: {figures['raw']}"

@@ -1,4 +1,4 @@
-"""``gam score``: what is new of every calibrated channel, and what came late."""
+"""``gam score``: scores new and late rows of every calibrated channel."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -12,6 +12,7 @@ from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place, watched
 from gam_db.cli.options import argument, option
 from gam_db.cli.progress import working
+from gam_db.cli.render import WORDS, Page, Section, Table, show
 from gam_db.cli.status import both_lists, judging, raised, validity
 from gam_db.cli.status import watched as watched_of
 from gam_db.clock import LONG_AGO, TimeKind, instant, shown_instant
@@ -58,12 +59,12 @@ def score(
     dry_run: bool = option("score.dry_run", False),
     copy_to: Path | None = option("score.copy_to"),
 ) -> None:
-    """Score what is new since the last run, and what came late, of every calibrated channel.
+    """Score new and late rows of every calibrated channel.
 
-    It can be run at any time, and again after a crash: what is stored is then the same. Exit codes 2 and
-    4 mean what they do in `gam status`: an episode needs attention, or an indicator is above its limit
-    where a channel has none for judgements, or a calibration is not good enough; else something of the
-    data has to be mended, or no channel is watched.
+    You can run it at any time, and again after a crash: the stored results are the same. Exit codes 2
+    and 4 mean the same as in `gam status`. 2: an episode needs attention, or an indicator is above its
+    limit where a channel has no limit for judgements, or a calibration is not good enough. Otherwise 4:
+    the data has a problem to fix, or no channel is watched.
     """
     if dry_run and copy_to is not None:
         raise ConfigurationError("--dry-run writes nothing; leave out --copy.")
@@ -95,26 +96,23 @@ def score(
     }
     lacking = problems is not None and problems.num_rows > 0
 
-    def show(out: page.Out) -> None:
+    def sections() -> Iterator[Section]:
         counted = "" if status is None else f": {watched_of(status)} watched"
-        page.say(out, f"{heading(settings)}, from {printable(figures['source'])}{counted}")
+        yield f"{heading(settings)}, from {printable(figures['source'])}{counted}"
         if dry_run:
-            columns: dict[str, page.Cell] = {
-                "from": lambda row: str(row["earliest"] or "the beginning"),
-                "channels": "channels",
-                "rows": "rows",
-            }
-            page.table(out, figures["ranges"], columns)
-        page.say(out, *_lines(figures, run, status, settings.file))
-        if problems is not None and problems.num_rows:
-            out.print()
-            page.problems(out, problems, False)
+            rows = [
+                {**row, "begin": str(row["earliest"] or "the beginning")} for row in figures["ranges"]
+            ]
+            yield Table("ranges", rows)
+        yield from _lines(figures, run, status, settings.file)
+        if problems is not None:
+            yield from page.problems(problems, False)
 
-    page.tell(figures, show, common, urgent=urgent, lacking=lacking)
+    show(Page(figures, sections(), urgent, lacking), common)
 
 
 def _figures(run: Report, kind: TimeKind, status: pa.Table | None) -> Row:
-    """Return what --json prints of a run and of what is known after it; times as in the source."""
+    """Return the figures of a run and of the status after it; times as in the source."""
 
     def with_times(rows: Sequence[Row], *times: str) -> list[Row]:
         return [{**row, **{name: _time_text(row[name], kind) for name in times}} for row in rows]
@@ -158,9 +156,9 @@ def _lines(figures: Row, run: Report, status: pa.Table | None, file: Path | None
     totals, others = figures["totals"], figures["other_settings"]
     read = f"{number_of(totals['channels'], 'channel')}, {number_of(totals['rows'], 'row')}"
     if status is None:
-        yield f"would read {read}; nothing was written"
+        yield f"would read {read}; wrote nothing"
     else:
-        yield f"read {read}; wrote {number_of(totals['buckets'], 'bucket')}, new or anew"
+        yield f"read {read}; wrote {number_of(totals['buckets'], 'bucket')}, new or changed"
     unknown: Sequence[Row] = ()  # of a run, they and rows that are ahead are data problems
     if status is None:
         yield from ahead_sentences(run.ahead, 0, run.clock)
@@ -180,11 +178,11 @@ def _lines(figures: Row, run: Report, status: pa.Table | None, file: Path | None
             names = page.some(sorted(printable(f"{row['asset']} {row['channel']}") for row in named))
             more = {"rows": of_unknown, "file": file, "names": names}
             more |= {"first": skipped["first"], "last": skipped["last"]}
-            yield page.WORDS["score"][name].format(count=number_of(count, thing), **more)
+            yield WORDS["score"][name].format(count=number_of(count, thing), **more)
     yield from validity(figures["valid_when"])
     if figures["copy"] is not None:
         yield f"copied to {figures['copy']}"
     if status is None:
         return
-    yield f"channels: {page.counted(status.to_pylist())}; gam status shows them"
+    yield f"channels: {page.counted(status.to_pylist())}"
     yield from judging(status)

@@ -1,12 +1,13 @@
 """``gam migrate``, ``prune`` and ``drop``: the state is made, kept small, removed."""
 
-from functools import partial
+from collections.abc import Iterator
 
 import typer
 
 from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.options import option
+from gam_db.cli.render import Page, Section, Table, Verbatim, show, time_text, write
 from gam_db.clock import TimeKind, time_of
 from gam_db.engines import NAMES, engine_named
 from gam_db.errors import ConfigurationError, printable, wrong
@@ -29,16 +30,16 @@ def migrate(
     engine: str | None = option("migrate.engine", names=", ".join(NAMES)),
     grants: str | None = option("migrate.grants"),
 ) -> None:
-    """Make the state tables in a database.
+    """Create or update the state tables in a database.
 
-    It can be run at any time: what was applied is recorded and not applied again, and rows stay.
+    You can run it at any time: it applies only new migrations, and rows stay.
     """
     if sql and (status or common.as_json):
         raise ConfigurationError("--sql prints a script; leave out --status and --json.")
     if engine is not None and not sql:
-        raise ConfigurationError("--engine says for which engine --sql prints; add --sql.")
+        raise ConfigurationError("--engine chooses the engine of --sql; add --sql.")
     if grants is not None and not sql:
-        raise ConfigurationError("--grants says what --sql prints besides; add --sql.")
+        raise ConfigurationError("--grants adds rights to the script of --sql; add --sql.")
     tables = settings.monitor.tables
     if sql:
         who = None if grants is None else Roles.parsed(grants)
@@ -48,14 +49,14 @@ def migrate(
         done = () if status else migrations.migrate(session, tables)
         schema_status = migrations.status(session, tables)
 
-    def show(out: page.Out) -> None:
+    def sections() -> Iterator[Section]:
         if status:
-            _show_migrations(out, tables, schema_status)
+            yield from _migrations(tables, schema_status)
         elif done:
             applied = ", ".join(f"{migration.number} {migration.name}" for migration in done)
-            out.print(printable(f"{tables}*: applied {applied}"), soft_wrap=True)
+            yield Verbatim(f"{tables}*: applied {applied}")
         else:
-            page.say(out, f"{tables}*: up to date, {len(schema_status.applied)} migrations")
+            yield f"{tables}*: up to date, {len(schema_status.applied)} migrations"
 
     figures = {
         "schema": tables.schema,
@@ -66,24 +67,18 @@ def migrate(
             {"number": migration.number, "name": migration.name} for migration in schema_status.pending
         ],
     }
-    page.tell(figures, show, common, urgent=bool(schema_status.pending))
+    show(Page(figures, sections(), urgent=bool(schema_status.pending)), common)
 
 
-def _show_migrations(out: page.Out, tables: StateTables, schema_status: Status) -> None:
+def _migrations(tables: StateTables, schema_status: Status) -> Iterator[Section]:
     rows = []
     for migration in schema_status.applied:
-        when = page.time_text(time_of(migration.applied_at, TimeKind.TIMESTAMP), named=True)
+        when = time_text(time_of(migration.applied_at, TimeKind.TIMESTAMP), named=True)
         rows.append(vars(migration) | {"when": when, "by": f"gam-db {migration.gam_version}"})
     rows += [vars(migration) | {"when": "pending", "by": ""} for migration in schema_status.pending]
-    columns: dict[str, page.Cell] = {
-        "number": lambda row: str(row["number"]),
-        "migration": "name",
-        "applied": "when",
-        "by": "by",
-    }
-    page.table(out, rows, columns, left=("migration", "applied", "by"))
+    yield Table("migrations", rows)
     pending = f"{len(schema_status.pending)} pending; run `gam migrate`"
-    page.say(out, f"{tables}*: {pending if schema_status.pending else 'up to date'}")
+    yield f"{tables}*: {pending if schema_status.pending else 'up to date'}"
 
 
 _KINDS = dict(zip(COUNTED, ("buckets", "novel cells", "runs", "support"), strict=True))
@@ -96,14 +91,14 @@ def prune(
     keep_versions: int | None = option("prune.keep_versions"),
     dry_run: bool = option("prune.dry_run", False),
 ) -> None:
-    """Delete old buckets, novel cells, versions and records of runs; say how large each channel is.
+    """Delete old results and show the size of every channel.
 
-    Age is counted from the newest bucket of each channel. What the next run needs stays whatever its
-    age: the buckets that lookback reaches, and a window before them. The file does not shrink; the room
-    is used again.
+    It deletes buckets, novel cells, retired versions and records of runs. Their age counts from the
+    newest bucket of the channel. The rows that the next run needs stay: the buckets within lookback, and
+    a window before them. The file does not shrink, but its free space is used again.
 
-    Rows that nobody sees go, too: hidden by a later run, or left by one that was cut short. On engines
-    without transactions (ClickHouse, Spark), where scoring only appends, nothing else removes them.
+    It also deletes hidden rows: replaced by a later run, or left by an interrupted one. On engines
+    without transactions (ClickHouse, Spark), where scoring only appends, nothing else deletes them.
     """
     monitor = settings.monitor
     lengths = monitor.keep, monitor.keep_novel, keep_versions, monitor.lookback
@@ -118,37 +113,40 @@ def prune(
         after, before = row[f"{kind}_after"], row[kind]
         return f"{after:,}" if after == before else f"{after:,} of {before:,}"
 
-    def show(out: page.Out) -> None:
-        columns: dict[str, page.Cell] = {"channel": lambda row: f"{row['asset']} {row['channel']}"}
-        columns |= {word: partial(left, kind=kind) for kind, word in _KINDS.items()}
-        page.table(out, common.of(rows), columns)
-        page.cut(out, rows, common.everything)
-        out.print()
+    def sections() -> Iterator[Section]:
+        shown = [
+            {"name": f"{row['asset']} {row['channel']}", **{kind: left(row, kind) for kind in _KINDS}}
+            for row in common.of(rows)
+        ]
+        yield Table("sizes", shown)
+        yield from page.cut(rows, common.everything)
+        yield ""
         deleted = f"{'would delete' if dry_run else 'deleted'}: {gone}"
-        page.say(out, deleted if gone else "nothing to delete")
+        yield deleted if gone else "nothing to delete"
 
-    page.tell({"monitor": monitor.name, "dry_run": dry_run, "channels": rows}, show, common)
+    show(Page({"monitor": monitor.name, "dry_run": dry_run, "channels": rows}, sections()), common)
 
 
 @options.of_state("schema", "prefix")
 def drop(
     settings: Settings, name: str | None = option("drop.name"), yes: bool = option("drop.yes", False)
 ) -> None:
-    """Remove the state tables of a schema and prefix, or with --name the rows of one monitor.
+    """Delete the state tables, or the rows of one monitor.
 
-    It lists what would go and asks for the name to be typed. The source, a schema and other tables stay.
+    It lists the tables of --schema and --prefix (with --name: the rows of that monitor), and you type
+    the name to confirm. The source, the schema and other tables stay.
     """
     tables = settings.monitor.tables
     with options.opened(settings) as session:
         removals = dropping.removals(session, tables, name)
         if not yes:
-            out = page.console()
-            page.say(out, "This removes" if name is None else f"This removes, of monitor {name},")
-            columns: dict[str, page.Cell] = {
-                "table": lambda row: ".".join(part.name for part in row["table"].parts),
-                "rows": lambda row: "view" if row["rows"] is None else str(row["rows"]),
-            }
-            page.table(out, list(map(vars, removals)), columns)
+            shown = [
+                {"name": ".".join(part.name for part in removal.table.parts)}
+                | {"size": "view" if removal.rows is None else str(removal.rows)}
+                for removal in removals
+            ]
+            of = "" if name is None else f" of monitor {name}"
+            write([f"This removes{of}:", Table("removals", shown)])
             _ask(str(tables) if name is None else name)
         dropping.remove(session, removals)
     removed = f"{tables}*" if name is None else f"monitor {name} from {tables}*"

@@ -1,7 +1,7 @@
-"""``gam status``: how every channel is, and by what it is judged."""
+"""``gam status``: the status of every channel and machine, and problems of the data."""
 
 import datetime as dt
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import pyarrow as pa
 import pyarrow.compute as pc
@@ -12,6 +12,7 @@ from gam_db.cli import options, page
 from gam_db.cli.config import Settings
 from gam_db.cli.job import heading, place
 from gam_db.cli.options import option
+from gam_db.cli.render import WORDS, Page, Section, show, time_text
 from gam_db.clock import TimeKind, instant, shown_instant, shown_length, zone
 from gam_db.errors import ConfigurationError
 from gam_db.findings import Row, need_attention
@@ -24,12 +25,12 @@ from gam_db.stored.state import State
 def status(
     settings: Settings, common: options.Common, asset: str | None = option("status.asset")
 ) -> None:
-    """Say how every channel is: verdict, floor, indicator, trend; and apart what is wrong with the data.
+    """Show the status of every signal and machine.
 
-    It reads the state in the database, not the source; of assets, it prints the 20 most urgent unless
-    there is --all. A channel needs attention (exit code 2) if an episode of it does (`gam alarms`),
-    where it has a limit (`gam limits`), else if its indicator is above its limit; and if its calibration
-    is not good enough. Where none does, exit code 4 says that something of the data has to be mended, or
+    It reads the state in the database, not the source. Without --all it prints the 20 most urgent
+    machines. A channel needs attention (exit code 2) if one of its episodes does (`gam alarms`), or,
+    without a limit for judgements (`gam limits`), if its indicator is above its limit; or if its
+    calibration is not good enough. Otherwise exit code 4 means that the data has a problem to fix, or
     that no channel is watched.
     """
     name, silence, shown_in = settings.monitor.name, settings.monitor.park_after, zone(common.time_zone)
@@ -60,46 +61,42 @@ def status(
         **both_lists(channels, problems),
     }
 
-    def show(out: page.Out) -> None:
-        newest = page.time_text(pc.max(channels["last_data"]).as_py(), shown_in, named=True)
-        rows = channels.to_pylist()
+    def sections() -> Iterator[Section]:
+        rows, everything = channels.to_pylist(), common.everything
+        newest = time_text(pc.max(channels["last_data"]).as_py(), shown_in, named=True)
         counted = f"{watched(channels)} watched, of {number_of(len(machines), 'asset')}"
-        page.say(out, f"{heading(settings)}: {counted}, newest data {newest}")
-        page.say(out, _proof(proof, dt.datetime.now(dt.UTC)), *validity(held))
-        out.print()
-        if not rows:
-            page.problems(out, problems, common.everything)
-            return
-        page.channels(out, common.of(rows), "last_data", "of late", shown_in, common.everything)
-        page.cut(out, rows, common.everything, page.counted)
-        out.print()
-        if len(machines) > 1:
-            of_machines.show(out, machines.to_pylist(), shown_in, common.everything)
-        if problems.num_rows:
-            page.problems(out, problems, common.everything)
-            out.print()
-        page.say(out, *_summary(channels, common.everything))
+        yield f"{heading(settings)}: {counted}, newest data {newest}"
+        yield _proof(proof, dt.datetime.now(dt.UTC))
+        yield from validity(held)
+        if rows:
+            yield ""
+            yield from page.channels(common.of(rows), "last_data", "of late", shown_in, everything)
+            yield from page.cut(rows, everything, page.counted)
+            yield ""
+            if len(machines) > 1:
+                yield from of_machines.lines(machines.to_pylist(), shown_in, everything)
+        yield from page.problems(problems, everything)
+        if rows:
+            yield from _summary(channels, rows)
 
-    page.tell(figures, show, common, urgent=urgent, lacking=problems.num_rows > 0)
+    show(Page(figures, sections(), urgent, lacking=problems.num_rows > 0), common)
 
 
 def _proof(proof: Proof | None, now: dt.datetime) -> str:
     if proof is None:
-        return "the state was never compared with its source; gam check --state does it"
+        return "the state was never compared with its source; run gam check --state"
     age = instant(now, TimeKind.TIMESTAMP, "now") - proof.proved_at
     ago = shown_length(age, TimeKind.TIMESTAMP)
     outcome = f"{proof.differences:,} differences" if proof.differences else "no difference"
     return f"the state was last compared with its source {ago} ago: {outcome} (gam check --state)"
 
 
-def _summary(channels: pa.Table, everything: bool) -> Iterator[str]:
-    yield "channels: " + page.counted(channels.to_pylist())
-    yield from of_machines.far_above(channels.to_pylist())
-    yield from page.unseen(channels.to_pylist())
+def _summary(channels: pa.Table, rows: Sequence[Row]) -> Iterator[str]:
+    yield f"channels: {page.counted(rows)}"
+    yield from of_machines.far_above(rows)
+    yield from page.unseen(rows)
     if fewer := pc.sum(pc.less(channels["calibration_rows_added"], 0)).as_py():
-        yield f"{fewer:,} of whose calibration the source holds fewer rows than were learnt"
-    rows = channels.select(["remarks"]).to_pylist()
-    yield f"{page.legend(rows, everything)} Trend: HI now less HI a window earlier."
+        yield f"{number_of(fewer, 'channel')} with fewer rows of calibration in the source than learnt"
     yield from judging(channels)
 
 
@@ -109,7 +106,7 @@ def watched(channels: pa.Table) -> str:
 
 
 def both_lists(channels: pa.Table, problems: pa.Table) -> Row:
-    """Return what --json prints of a monitor: channels that need attention, and data problems."""
+    """Return figures of a monitor: channels that need attention, and data problems."""
     names = [
         "asset",
         "channel",
@@ -142,22 +139,20 @@ def raised(status: pa.Table) -> Row:
 
 
 def validity(held: Row) -> Iterator[str]:
-    """Yield which share of the readings does not count, where a condition says which do."""
+    """Yield the share of invalid readings, where a condition tells which are valid."""
     if held["held"]:
         part = percent(held["invalid"] / held["held"])
-        yield page.WORDS["state"]["valid_when"].format(
-            share=part, held=number_of(held["held"], "reading")
-        )
+        yield WORDS["state"]["valid_when"].format(share=part, held=number_of(held["held"], "reading"))
 
 
 def judging(status: pa.Table) -> Iterator[str]:
-    """Yield by what channels are judged, and what is to be looked at."""
+    """Yield how channels are judged, and how many episodes need a look."""
     by_episode = raised(status)["judged_by_episode"]
     if by_episode == len(status) - status["judged_by"].null_count > 0:
         yield "judged by episodes (gam limits)"
     elif by_episode:
-        yield page.WORDS["state"]["mixed"].format(count=number_of(by_episode, "channel"))
+        yield WORDS["state"]["mixed"].format(count=number_of(by_episode, "channel"))
     elif len(status) > status["judged_by"].null_count:
-        yield "judged by the health indicator and its limit; gam limits says why"
+        yield "judged by the health indicator and its limit (gam limits)"
     if asking := pc.sum(status["asking"]).as_py():
-        yield f"{number_of(asking, 'episode')} to look at; gam alarms shows them"
+        yield f"{number_of(asking, 'episode')} to look at (gam alarms)"

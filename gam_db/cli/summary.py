@@ -4,7 +4,7 @@ import dataclasses
 import datetime as dt
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import pyarrow.compute as pc
@@ -19,6 +19,7 @@ from gam_db.cli import machines as of_machines
 from gam_db.cli import programs as of_programs
 from gam_db.cli.course import thinned
 from gam_db.cli.job import Job
+from gam_db.cli.render import WORDS, Section, text_of, time_text
 from gam_db.clock import SINCE_1970, epoch_unit, shown_instant, zone
 from gam_db.engines.connecting import borrowed
 from gam_db.errors import printable
@@ -41,7 +42,7 @@ _JUDGED_BY = (("episode", "episodes"), ("indicator", "the health indicator and i
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Summary:
-    """What ``gam run`` says of a source: printed it is that page, and its rows are here.
+    """The page of ``gam run`` for a source, and its rows.
 
     Attributes:
         job: source and method, as they were resolved.
@@ -54,17 +55,17 @@ class Summary:
         programs: what :func:`gam_db.programs` returns, as rows; empty where the source names none.
         siblings: channels that share settings which calibration chose.
         ahead: channels with rows that are later than now, which are left out, and how many.
-        sentences: what is to be said of these.
+        sentences: remarks on these.
     """
 
     job: Job
     channels: list[Row]
-    machines: list[Row]
-    ended: list[Row]
-    programs: list[Row]
-    siblings: list[Siblings]
-    ahead: list[Row]
-    sentences: list[str]
+    machines: list[Row] = field(default_factory=list)
+    ended: list[Row] = field(default_factory=list)
+    programs: list[Row] = field(default_factory=list)
+    siblings: list[Siblings] = field(default_factory=list)
+    ahead: list[Row] = field(default_factory=list)
+    sentences: list[str] = field(default_factory=list)
 
     @property
     def needs_attention(self) -> bool:
@@ -73,7 +74,7 @@ class Summary:
 
     @property
     def lacks_data(self) -> bool:
-        """Tell whether something of the data has to be mended (exit code 4)."""
+        """Tell whether the data has a problem to fix (exit code 4)."""
         return lack_data(self.channels) or bool(of_programs.unjudged(self.programs) or self.ahead)
 
     def figures(self) -> dict[str, Any]:
@@ -91,26 +92,22 @@ class Summary:
             "ahead": self.ahead,
         }
 
-    def show(self, out: page.Out, everything: bool = False, shown_in: dt.tzinfo = dt.UTC) -> None:
-        """Print it."""
-        more = (self.siblings, self.programs, self.machines, self.ended)
-        show(out, self.job, self.channels, everything, shown_in, *more)
-        page.say(out, *self.sentences)
+    def sections(self, everything: bool = False, shown_in: dt.tzinfo = dt.UTC) -> Iterator[Section]:
+        """Yield the sections of its page."""
+        yield from _sections(self, everything, shown_in)
 
     def text(self, everything: bool = False, time_zone: str = "UTC", width: int | None = None) -> str:
         """Return what ``gam run`` prints.
 
         Args:
             everything: every channel, not only the 40 most urgent, and all remarks (``--all``).
-            time_zone: in which times are shown, such as Europe/Berlin.
+            time_zone: zone of times, such as Europe/Berlin.
             width: in characters; None for that of the terminal, or 80.
 
         Raises:
             ConfigurationError: there is no such time zone.
         """
-        out = page.text_console(width)
-        self.show(out, everything, zone(time_zone))
-        return str(out.file.getvalue())  # type: ignore[attr-defined]
+        return text_of(self.sections(everything, zone(time_zone)), width)
 
     def __str__(self) -> str:
         return self.text()
@@ -167,7 +164,7 @@ def _name(relation: Any) -> str:
 
 
 def summarised(study: Study, job: Job, alarms: Alarms, longest: int | None = None) -> Summary:
-    """Return what is found of a study; *longest* is as for :func:`findings`."""
+    """Return the summary of a study; *longest* is as for :func:`findings`."""
     channels = findings(study, alarms, longest)
     ranked = study.table("ranked_machines").sort_by("machine_rank").to_pylist()
     machines = [{_MACHINE.get(name, name): value for name, value in row.items()} for row in ranked]
@@ -185,73 +182,62 @@ def ahead_of(study: Study) -> list[Row]:
     return [{**row, "ahead_to": shown_instant(row["ahead_to"], kind)} for row in study.ahead]
 
 
-def show(
-    out: page.Out,
-    job: Job,
-    channels: Sequence[Row],
-    everything: bool = False,
-    shown_in: dt.tzinfo = dt.UTC,
-    siblings: Sequence[Siblings] = (),
-    programs: Sequence[Row] = (),
-    machines: Sequence[Row] = (),
-    ended: Sequence[Row] = (),
-) -> None:
-    """Print what was found of each channel, what calibration chose for siblings, and what it lacks."""
+def _sections(of: Summary, everything: bool, shown_in: dt.tzinfo) -> Iterator[Section]:
+    job, channels, most = of.job, of.channels, None if everything else options.SHOWN
     samples = sum(row["samples"] for row in channels)
-    page.say(out, f"{printable(job.name)}: {page.amount(channels)}, {samples:,} samples{job.settings}")
-    page.say(out, *pools.lines(channels, job.calibration))
-    page.say(out, *job.lines())
-    out.print()
-    shown = channels if everything else channels[: options.SHOWN]
-    page.channels(out, shown, "last_time", "all that is scored", shown_in, everything)
-    page.cut(out, channels, everything, page.counted)
-    out.print()
-    if len(machines) > 1:
-        of_machines.show(out, machines, shown_in, everything)
-    page.say(out, *_ended(ended if everything else ended[: options.SHOWN], shown_in))
-    page.cut(out, ended, everything, what=" episodes that ended")
-    page.say(out, f"verdicts: {page.verdicts(channels)}")
+    yield f"{printable(job.name)}: {page.amount(channels)}, {samples:,} samples{job.settings}"
+    yield from pools.lines(channels, job.calibration)
+    yield from job.lines()
+    yield ""
+    yield from page.channels(channels[:most], "last_time", "all that is scored", shown_in, everything)
+    yield from page.cut(channels, everything, page.counted)
+    yield ""
+    if len(of.machines) > 1:
+        yield from of_machines.lines(of.machines, shown_in, everything)
+    yield from _ended(of.ended[:most], shown_in)
+    yield from page.cut(of.ended, everything, what=" episodes that ended")
+    yield f"verdicts: {page.verdicts(channels)}"
     judged = Counter(row["judged_by"] for row in channels)
     by = [(text, judged[name]) for name, text in _JUDGED_BY if judged[name]]
     words = ", ".join(f"{text}: {count:,}" if len(by) > 1 else text for text, count in by)
-    page.say(out, f"channels: {page.counted(channels)}{f'; judged by {words}' if words else ''}")
-    page.say(out, *of_machines.far_above(channels))
-    page.say(out, *page.unseen(channels))
-    lacking = of_programs.lines(programs)
-    page.say(out, *(lacking if everything else lacking[: options.SHOWN]))
-    page.cut(out, lacking, everything, what=" programs")
+    yield f"channels: {page.counted(channels)}{f'; judged by {words}' if words else ''}"
+    yield from of_machines.far_above(channels)
+    yield from page.unseen(channels)
+    lacking = of_programs.lines(of.programs)
+    yield from lacking[:most]
+    yield from page.cut(lacking, everything, what=" programs")
     if silent := sum(row["silent"] for row in channels):
-        page.say(out, f"silent: {silent:,}")
+        yield f"silent: {silent:,}"
     if job.parameters.is_open:
-        page.say(out, *automatic.lines(siblings, everything))
-        taken = sorted(Counter(row["bins"] for row in channels).items(), reverse=True)
-        page.say(out, f"bins taken: {', '.join(f'{bins} for {count:,}' for bins, count in taken)}")
-    page.say(out, *page.advice(channels))
+        yield from automatic.lines(of.siblings, everything)
+        bins = sorted(Counter(row["bins"] for row in channels).items(), reverse=True)
+        yield f"chosen bins: {', '.join(f'{bins} for {count:,}' for bins, count in bins)}"
+    yield from page.advice(channels)
     ends = [row["last_time"] for row in channels if isinstance(row["last_time"], int)]
     if ends and (unit := epoch_unit(min(ends), max(ends))):
         like = f"time looks like {SINCE_1970[unit][0]} since 1970, and is taken as a counter"
-        page.say(out, f"{like}; --time-unit {unit} makes calendar time of it")
+        yield f"{like}; --time-unit {unit} makes calendar time of it"
     if short := sum(
         row["hi_limit"] is not None and 0 < row["calibration_vectors"] < 8 * row["window"]
         for row in channels
     ):
-        page.say(out, page.WORDS["run"]["short"].format(short=short))
+        yield WORDS["run"]["short"].format(short=short)
     value = getattr(job.guess.source, "value", None)
     if beyond := sum(
         (value or row["channel"]) in job.exact
         and max(abs(row["calibrated_lo"] or 0), abs(row["calibrated_hi"] or 0)) >= EXACT_UP_TO
         for row in channels
     ):
-        page.say(out, f"{number_of(beyond, 'channel')} of {SENTENCES['beyond']}")
+        yield f"{number_of(beyond, 'channel')} of {SENTENCES['beyond']}"
     if not (need_attention(channels) or any(map(is_blind, channels)) or lack_data(channels) or lacking):
-        page.say(out, "nothing needs attention")
-    page.say(out, page.legend(channels, everything))
+        yield "nothing needs attention"
+    yield from of.sentences
 
 
 def _ended(rows: Sequence[Row], zone: dt.tzinfo) -> Iterator[str]:
     """Yield a line for each episode that ended."""
     name = page.name_in(rows)
     for row in rows:
-        first, last = (page.time_text(row[of], zone) for of in ("onset_time", "last_time"))
+        first, last = (time_text(row[of], zone) for of in ("onset_time", "last_time"))
         proving = ", right after calibration" if row["is_proving"] else ""
         yield f"episode that ended: {name(row)}, from {first} to {last}{proving}"

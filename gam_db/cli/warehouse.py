@@ -31,8 +31,8 @@ Form = Literal["exact", "view", "monitor"]
 
 
 UNPROBED = (
-    "This SQL does not ask what would be seen: a channel that it calls ready may not show a change. "
-    "--without nothing prints the probe, too; gam run tells at once."
+    "This SQL leaves out the probe: a channel with the verdict ready may still not show a change. "
+    "Add the probe with --without nothing, or see it in gam run."
 )
 
 
@@ -47,18 +47,18 @@ def compile(
     schema: str | None = option("compile.schema"),
     without: list[str] | None = option("compile.without"),
 ) -> None:
-    """Print the complete SQL script that computes the health indicator of SOURCE on an engine.
+    """Print the SQL script that computes the health indicator.
 
-    SOURCE is a table of that engine. Its columns are looked at where gam can see them (a file, a folder
-    of files, or a table of --database); elsewhere they are called asset, channel, time and value unless
-    named.
+    SOURCE is a table of the engine. gam looks at its columns if it can read it (a file, a folder of
+    files, or a table of --database); otherwise they are asset, channel, time and value unless you name
+    them.
 
-    With --form monitor it prints one run of a calibrated monitor of --database, without SOURCE: the
-    command line of that database executes it again and again, with no Python (docs/schedule.md).
+    With --form monitor it prints one run of a calibrated monitor of --database, without SOURCE. The
+    command line of that database executes it again and again, without Python (docs/schedule.md).
     """
     if form == "monitor":
         if relation is not None:
-            raise ConfigurationError("A monitor knows its source; leave SOURCE out.")
+            raise ConfigurationError("A monitor stores its source; leave out SOURCE.")
         about = settings.monitor
         schema = about.schema if schema is None else schema
         prefix = about.prefix if prefix is None else prefix
@@ -144,7 +144,7 @@ export = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     rich_markup_mode="markdown",
-    help="Write the method as a package of another tool.",
+    help="Write a dbt package or a Grafana dashboard.",
 )
 
 
@@ -159,11 +159,11 @@ def dbt(
     schema: str | None = option("dbt.schema"),
     without: list[str] | None = option("dbt.without"),
 ) -> None:
-    """Write a dbt package that keeps the health indicator of SOURCE up to date in the warehouse.
+    """Write a dbt package that keeps the health indicator up to date.
 
-    SOURCE is a table there. Its columns are looked at where gam can see them (a table of --database);
-    elsewhere they are called asset, channel, time and value unless named. Calibration must be fixed:
-    closed intervals, by --calibrate or in gam.toml. Files of an earlier export are replaced.
+    SOURCE is a table of the warehouse. gam looks at its columns if it can read it (a table of
+    --database); otherwise they are asset, channel, time and value unless you name them. Calibration must
+    be fixed: closed intervals, by --calibrate or in gam.toml. Files of an earlier export are replaced.
     """
     settings.source.check_conditions(engine_named(engine))
     parameters, calibration = settings.method()
@@ -172,7 +172,7 @@ def dbt(
     how = (engine, schema, monitor.prefix, monitor.lookback, monitor.park_after, parts)
     written = write(Package(described(settings), parameters, calibration, *how), folder)
     print(
-        f"{len(written)} files of a dbt package are in {folder}. README.md there says what it holds; "
+        f"{len(written)} files of a dbt package are in {folder}; see README.md there. "
         "`dbt build` builds it."
     )
     if "probe" not in parts_of(parameters, parts):
@@ -193,10 +193,10 @@ def grafana(
     name: str = option("grafana.name", "default"),
     uid: str = option("grafana.uid", "gam-db"),
 ) -> None:
-    """Write a dashboard for Grafana over the views of a monitor, and an alert rule.
+    """Write a Grafana dashboard and an alert rule for a monitor.
 
-    The dashboard is imported and asks for its data source; the alert rule is a file of provisioning.
-    Both read the views only, with the rights of a reader.
+    Import the dashboard and choose its data source; the alert rule is a provisioning file. Both read
+    only the views, with the rights of a reader.
     """
     paths = dashboards.write(engine, folder, StateTables(schema, prefix), name, uid)
-    print(f"written: {', '.join(map(str, paths))}; docs/grafana.md says where they go.")
+    print(f"written: {', '.join(map(str, paths))}; docs/grafana.md explains where they go.")

@@ -135,15 +135,15 @@ class Parameters:
     """
 
     m: int = setting(3, COUNT)
-    tau: Open = setting(AUTO, _COUNT_OR_AUTO, more=f"{AUTO!r} for one that calibration chooses")
+    tau: Open = setting(AUTO, _COUNT_OR_AUTO, more=f"{AUTO!r}: calibration chooses one")
     bins: Open = setting(
         AUTO,
         _COUNT_OR_AUTO,
-        more=f"{AUTO!r} for one of {', '.join(map(str, RUNGS))} that calibration chooses for each "
-        "channel or pool; what is chosen is frozen with its version",
+        more=f"{AUTO!r}: calibration chooses one of {', '.join(map(str, RUNGS))} for each channel or "
+        "pool, and freezes it with the version",
         most=LARGEST_BINS,
     )
-    window: Open = setting(AUTO, _COUNT_OR_AUTO, more=f"{AUTO!r} for a twentieth of calibration")
+    window: Open = setting(AUTO, _COUNT_OR_AUTO, more=f"{AUTO!r}: a twentieth of calibration")
     stride: int | None = setting(None, COUNT)
     max_gap: Length | None = setting(None, dataclasses.replace(LENGTH, checked=_positive))
     still_after: int | None = setting(None, COUNT, least=2)

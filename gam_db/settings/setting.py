@@ -217,7 +217,7 @@ LENGTH = Kind(
     _length,
     read=lambda _, text: number(text),
     metavar="LENGTH",
-    how=": seconds or a text like {example!r}, or steps of a counter",
+    how=": seconds, a text such as {example!r}, or steps of a counter",
 )
 TEXT = Kind(_text)
 TEXT_OR_TEXTS = Kind(_text_or_texts)

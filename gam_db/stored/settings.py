@@ -22,7 +22,7 @@ class MonitorSettings:
     """
 
     name: str = setting(
-        "default", TEXT, "monitor, of which several can share one database", metavar="MONITOR"
+        "default", TEXT, "name of the monitor; one database can hold several", metavar="MONITOR"
     )
     schema: str | None = setting(
         *(None, TEXT, "schema of the state tables"),
@@ -30,7 +30,7 @@ class MonitorSettings:
         example="monitoring",
         aside=True,
     )
-    prefix: str = setting("gam_", TEXT, "begins the names of tables, views and models", least=0)
+    prefix: str = setting("gam_", TEXT, "first part of the names of tables, views and models", least=0)
     lookback: Length | None = setting(
         *(None, LENGTH, "how late a row may come"),
         usual=f"{lengths.LOOKBACK}, or 0 steps of a counter",
@@ -40,17 +40,17 @@ class MonitorSettings:
         *(
             None,
             LENGTH,
-            "a channel that lags behind the newest data by more is silent, and looked at once a day",
+            "lag behind the newest data after which a channel is silent, and read once a day",
         ),
         usual=f"{lengths.PARK_AFTER}, or never for a counter",
         off=(False, "never"),
         example="1 d",
     )
     keep: Length | None = setting(
-        *(None, LENGTH, "age up to which buckets stay, for gam prune"), usual="all", example="400 d"
+        *(None, LENGTH, "age up to which gam prune keeps buckets"), usual="all", example="400 d"
     )
     keep_novel: Length | None = setting(
-        *(None, LENGTH, "the same for their novel cells"),
+        *(None, LENGTH, "age up to which gam prune keeps novel cells"),
         usual=f"the newest {NOVEL_ROWS:,} of each version, so that a saturated channel stays bounded",
         example="90 d",
     )

@@ -562,7 +562,7 @@ def test_the_demo_runs_anywhere_and_says_what_comes_next() -> None:
     assert os.listdir() == []
     said = " ".join(done.stdout.split())
     assert "! position ready 1 % 0.017 0.88" in said
-    assert "no evidence for that row" in said
+    assert "not evidence for that result" in said
     assert "gam run recording.parquet" in said
 
 
@@ -621,12 +621,12 @@ def test_progress_shows_the_step_only_at_a_terminal(
         monkeypatch.setattr(session, "progress", lambda: 42.0)
         with Progress(session) as progress:
             progress.on_step("bounds")
-            assert "bounds  0 s, 42 %" in str(progress.__rich__())
+            assert "learning the healthy states  0 s, 42 %" in str(progress.__rich__())
         assert capsys.readouterr().err == ""
         monkeypatch.setenv("FORCE_COLOR", "1")
         with Progress(session) as progress:
             progress.on_step("bounds")
-        assert "bounds" in capsys.readouterr().err
+        assert "learning the healthy states" in capsys.readouterr().err
         with Progress(session, quiet=True) as progress:
             progress.on_step("bounds")
         assert capsys.readouterr().err == ""
@@ -635,15 +635,19 @@ def test_progress_shows_the_step_only_at_a_terminal(
 def test_a_long_run_says_in_a_log_what_it_does(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("gam_db.cli.progress.EVERY", 0.05)
+    """At most a line in each stretch of time, whatever happens in it."""
+    monkeypatch.setattr("gam_db.cli.progress.EVERY", 0.2)
     with DuckSession() as session:
+        begin = time.monotonic()
         with Progress(session) as progress:
-            time.sleep(0.2)
-            progress.on_step("bounds")
+            time.sleep(0.5)
+            for step in ("bounds", "visited", "stamp", "bounds"):
+                progress.on_step(step)
+            time.sleep(0.5)
         lines = capsys.readouterr().err.splitlines()
-        assert len(lines) >= 3
-        assert lines[0].startswith("looking at the source  0 s")
-        assert any(line.startswith("bounds  0 s") for line in lines)
+        assert 3 <= len(lines) <= (time.monotonic() - begin) / 0.2
+        assert lines[0].startswith("reading the source  0 s")
+        assert lines[-1].startswith("learning the healthy states  0 s")
         with Progress(session, quiet=True) as progress:
             time.sleep(0.2)
         assert capsys.readouterr().err == ""

@@ -194,7 +194,7 @@ def test_a_calibration_that_is_not_good_enough_asks_for_attention() -> None:
 def test_a_recording_without_any_calibration_asks_for_attention() -> None:
     result = gam("calibrate", saved(800), *STATE, *SMALL, "--calibrate", "5000/6000")
     assert result.exit_code == 4
-    assert "no_data: say which part is healthy" in said(result)
+    assert "no_data: choose a healthy part that holds data" in said(result)
     scored = gam("score", *STATE)
     assert scored.exit_code == 4
     assert "0 of 2 channels watched" in said(scored)

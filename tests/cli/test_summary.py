@@ -69,7 +69,7 @@ def test_a_summary_has_the_rows_of_gam_run(path: str) -> None:
 
 
 def as_json(value: Any) -> str:
-    from gam_db.cli.page import plain
+    from gam_db.cli.render import plain
 
     return json.dumps(plain(value))
 

@@ -165,5 +165,6 @@ def test_remote_sources_are_read_as_before() -> None:
 def test_help_says_whose_rights_a_condition_has() -> None:
     for command in ("run", "check", "calibrate"):
         said = " ".join(invoked(command, "--help").stdout.replace("│", " ").split())
-        assert "SQL that runs with your rights" in said
-        assert "a connection that you lend" in said
+        assert "they run with your rights" in said
+        assert "it runs with your rights" in said
+        assert "a connection that you pass in" in said

@@ -16,6 +16,7 @@ from typer.testing import CliRunner
 
 import gam_db
 from gam_db.cli import app, commands
+from gam_db.cli.exits import MEANINGS
 
 PACKAGE = Path(gam_db.__file__).parent
 #: Lower modules first; one may import what stands in lines above its own, and its own room. Where a room
@@ -192,10 +193,19 @@ def test_every_command_is_listed_with_its_own_words() -> None:
         assert own == stand_in.help, name
 
 
-def test_help_shows_three_panels() -> None:
-    shown = CliRunner().invoke(app, ["--help"]).stdout
-    panels = [shown.index(f"─ {panel} ─") for panel in ("Watch", "Once", "Laboratory")]
+def test_help_shows_three_panels_on_one_screen() -> None:
+    shown = CliRunner().invoke(app, ["--help"], env={"COLUMNS": "80"}).stdout
+    panels = [shown.index(f"\n{panel}:\n") for panel in ("Watch", "Once", "Laboratory", "Options")]
     assert panels == sorted(panels)
+    lines = shown.splitlines()
+    assert len(lines) <= 40
+    assert max(map(len, lines)) <= 80
+    for stand_in in commands.listed():
+        (line,) = [line for line in lines if line.split()[:1] == [stand_in.name]]
+        assert line.endswith(f"  {(stand_in.help or '')}")
+    assert {f"{code:d} {text}" for code, text in MEANINGS.items()} <= set(
+        " ".join(lines[-2:]).removeprefix("Exit codes: ").removesuffix(".").split(", ")
+    )
 
 
 def test_estimators_come_by_an_entry_point() -> None:

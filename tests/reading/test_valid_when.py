@@ -175,7 +175,7 @@ def test_the_share_is_in_check_status_and_json(tmp_path: Path, monkeypatch: pyte
     gam("score", "--database", "plant.duckdb")
     status = gam("status", "--database", "plant.duckdb")
     # Of 2,000 rows a run reads those after calibration, and the two before that a vector needs.
-    assert "of the newest run do not meet valid_when: missing samples" in flat(status)
+    assert "of the newest run do not meet valid_when and count as missing" in flat(status)
     held = json.loads(gam("status", "--database", "plant.duckdb", "--json"))["valid_when"]
     assert held["invalid"] * 4 == pytest.approx(held["held"], abs=4)
     gam("report", "--database", "plant.duckdb", "--out", "page.html")

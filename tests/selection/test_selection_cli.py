@@ -93,7 +93,7 @@ def test_what_is_written_says_what_was_chosen() -> None:
     assert "# kept" in text
     assert settings.calibration == {"fraction": 0.9}
     assert "# 1 channel. tau: first minimum of mutual information." in text
-    assert "window: an eighth of calibration at most" in " ".join(text.replace("#", " ").split())
+    assert "window: at most an eighth of calibration" in " ".join(text.replace("#", " ").split())
     assert met(settings, "cycle") == {
         "m": cycle["recommended_m"],
         "tau": cycle["tau"],

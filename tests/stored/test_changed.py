@@ -154,12 +154,12 @@ def test_what_changes_after_the_look_and_before_the_reading_is_found(end: int) -
         told: list[str] = []
 
         def come(step: str) -> None:
-            if told and told[-1] == "looking at the source":
+            if told and told[-1] == "reading the source":
                 connection.execute("UPDATE telemetry SET value = 77 WHERE time = ?", [last])
             told.append(step)
 
         mine.score(on_step=come)
-        assert "looking at the source" in told
+        assert "reading the source" in told
         mine.score()
         put(connection, readings(end + 2, end + 4))
         mine.score()

@@ -51,15 +51,15 @@ def test_a_check_is_recorded_and_told_by_status(plant: Path) -> None:
     sound = gam("check", "--state")
     assert sound.exit_code == 0, sound.output
     assert (
-        "monitor default: 4 channels, 92 buckets: what the source still holds, and the last run had to "
-        "score, is what is stored; so is what calibration froze" in said(sound)
+        "monitor default: 4 channels, 92 buckets: stored results agree with the rows that the source "
+        "still holds and the last run had to score, and with the frozen calibration" in said(sound)
     )
     assert "a x: scored: rows after 199 came since the last run: gam score scores them" in said(sound)
     assert "s ago: no difference (gam check --state)" in said(gam("status"))
     changed("UPDATE gam_state_bucket SET novel_in_window = novel_in_window + 1 WHERE bucket_no = 9")
     wrong = gam("check", "--state")
     assert wrong.exit_code == 2, wrong.output
-    assert "4 of 4 channels are not as they should be" in said(wrong)
+    assert "4 of 4 channels differ" in said(wrong)
     assert "a x: version 1: buckets: windows that are not the sum of their buckets (1), from" in said(
         wrong
     )
@@ -82,7 +82,7 @@ def test_damage_says_what_to_do(plant: Path) -> None:
     text = said(gam("check", "--state"))
     assert "a x: version 1: frozen: changed since calibration froze it: its integers (1)" in text
     assert "tables: rows of gam_state_run whose version is not there (1)" in text
-    assert "1 of 4 channels are not as they should be" in text
+    assert "1 of 4 channels differ" in text
     assert "put them back from a copy of the database; or gam calibrate --again" in text
     refused = gam("score")
     assert refused.exit_code == 1

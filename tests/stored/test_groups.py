@@ -76,7 +76,8 @@ def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Pat
 
     run = typer.testing.CliRunner().invoke(app, ["label", "4", "new_program", "--database", str(path)])
     assert "episode 4 (b x, " in run.output
-    assert "is labelled new_program: no attention, not above its limit" in " ".join(run.output.split())
+    said = " ".join(run.output.split())
+    assert "is labelled new_program: needs no attention, and does not count as above its limit" in said
     run = typer.testing.CliRunner().invoke(app, ["alarm", "2", "--database", str(path)])
     for words in ("30 to 32", "above 40", "-9"):
         assert words in run.output

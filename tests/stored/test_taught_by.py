@@ -121,10 +121,10 @@ def test_every_form_says_who_taught(engine: str, name: str) -> None:
 @pytest.mark.parametrize(
     ("teachers", "first", "code"),
     [
-        (["a"], "not watched: 2 of 3 channels, since only a taught; name more", 2),
-        (["a", "b"], "judged by a and b: 1 of 3 channels; of themselves nothing is known", 2),
+        (["a"], "not watched: 2 of 3 channels, because only a taught; name more", 2),
+        (["a", "b"], "judged by a and b: 1 of 3 channels; their own healthy states are unknown", 2),
         (["*"], "columns:", 2),
-        (["A"], "nobody taught: A is no machine of this source", 4),
+        (["A"], "nobody taught: this source has no machine A", 4),
     ],
 )
 def test_it_is_said_first(

@@ -169,7 +169,7 @@ def steps_of_a_run(plant: Plant) -> list[str]:
 
 def test_a_repair_inside_a_run_is_not_lost(plant: Plant) -> None:
     """Each kind of repair at every third step, or at three steps; all at all are in the full set."""
-    steps = ["looking at the source", "past_buckets", "writing"]
+    steps = ["reading the source", "past_buckets", "writing"]
     if plant.session.engine.name == "duckdb":
         steps = steps_of_a_run(plant)
     repairs = dict(zip(steps, itertools.cycle(REPAIRS.values()), strict=False))
@@ -198,7 +198,7 @@ def test_versions_and_pruning_beside_a_repair(plant: Plant, other: str) -> None:
     plant.arrive(plant.grown(NEW, late=not is_pruned))
     plant.monitor().score(full=True)
     is_duckdb = plant.session.engine.name == "duckdb"
-    for step in ("looking at the source", "past_buckets", "writing") if is_duckdb else ("past_buckets",):
+    for step in ("reading the source", "past_buckets", "writing") if is_duckdb else ("past_buckets",):
         plant.arrive(plant.grown(NEW, late=not is_pruned))
         plant.monitor().score()
         listen = inside(step, lambda: OTHERS[other](plant))

@@ -7,7 +7,7 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from gam_db.cli import options, page
+from gam_db.cli import options, render
 from gam_db.errors import ConfigurationError, nearest
 from gam_db.lab.benchmark import report
 from gam_db.lab.benchmark.measure import Listener, Plan, measure
@@ -51,7 +51,7 @@ def print_figures(
 ) -> None:
     """Print figures as JSON, or the lines that are made of them."""
     if as_json:
-        page.print_json(figures)
+        render.print_json(figures)
     else:
         for line in lines(figures):
             typer.echo(line)

@@ -139,7 +139,7 @@ benchmarks = typer.Typer(
     cls=_Throughput,
     add_completion=False,
     rich_markup_mode="markdown",
-    help="Measure gam-db on this machine: throughput (the default), the stored form, and other engines.",
+    help="Measure speed, memory and alarms of gam-db on this machine.",
 )
 benchmarks.command("throughput")(benchmark)
 benchmarks.command()(stored)

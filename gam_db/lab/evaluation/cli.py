@@ -4,15 +4,15 @@ This module owns the command and how its results look; :mod:`gam_db.lab.evaluati
 """
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Annotated, Any
 
 import typer
-from rich.console import Console
 
 from gam_db.checking.words import number_of
-from gam_db.cli import options, page
+from gam_db.cli import options, page, render
 from gam_db.cli.progress import working
+from gam_db.cli.render import Column, Table
 from gam_db.engines.connecting import connect
 from gam_db.errors import ConfigurationError, printable
 from gam_db.lab.evaluation import Conventions, Evaluation
@@ -126,10 +126,11 @@ def evaluate(
     ] = 0.95,
     seed: Annotated[int, typer.Option(min=0, help="Of both.", rich_help_panel=_SAMPLING)] = 0,
 ) -> None:
-    """Measure how well the health indicators of HEALTH show wear (paper, Eq. 5 to 9).
+    """Measure how well health indicators show wear.
 
-    Mon, Corr and Rob of every channel, beside what chance gives; with --outcomes also Prog, Disc,
-    trendability and Global of the fleet, with bootstrap intervals over the assets.
+    It prints Mon, Corr and Rob of every channel of HEALTH (paper, Eq. 5 to 9), beside the same of random
+    series. With --outcomes it also prints Prog, Disc, trendability and Global of the fleet, with
+    bootstrap intervals over the assets.
     """
     for relation, what in ((health, "HEALTH"), (outcomes, "--outcomes")):
         _check_relation(relation, what, database)
@@ -149,44 +150,34 @@ def evaluate(
         evaluation = evaluated(session, health, outcomes, conventions, on_step)
     figures = {"health": health, "outcomes": outcomes, "conventions": conventions, **vars(evaluation)}
 
-    def page_of(out: Console) -> None:
-        show(out, health, evaluation, conventions, everything)
-
-    page.tell(figures, page_of, options.Common(as_json=as_json))
+    sections = _sections(health, evaluation, conventions, everything)
+    render.show(render.Page(figures, sections), options.Common(as_json=as_json))
 
 
-def show(
-    out: Console, name: str, evaluation: Evaluation, conventions: Conventions, everything: bool = False
-) -> None:
-    """Print an evaluation.
-
-    Args:
-        out: where to.
-        name: of the table, for the heading.
-        evaluation: what is printed.
-        conventions: of the metrics.
-        everything: show every channel, however many there are.
-    """
+def _sections(
+    name: str, evaluation: Evaluation, conventions: Conventions, everything: bool
+) -> Iterator[render.Section]:
     order = {"failed": 0, "healthy": 1, None: 2}
     rows: list[Row] = sorted(evaluation.channels.to_pylist(), key=lambda row: order[row["outcome"]])
-    page.say(out, *_heading(name, rows, evaluation.unmatched))
+    yield from _heading(name, rows, evaluation.unmatched)
     if evaluation.stride > 1:
-        page.say(
-            out,
+        yield (
             f"a row per vector: the values at the end of each bucket of {evaluation.stride:,} are "
-            "taken; --stride N for others, --stride 1 for all",
+            "taken; --stride N for others, --stride 1 for all"
         )
-    out.print()
+    yield ""
     shown = rows if everything else rows[: options.SHOWN]
     name_of = page.name_in(shown)
-    columns = {"channel": name_of, **_columns(shown)}
-    page.table(out, shown, columns, lambda row: "~" if _is_chance(row) else " ")
-    page.remarks(out, ((name_of(row), _remarks(row)) for row in shown), everything)
-    page.cut(out, rows, everything)
-    out.print()
-    page.table(out, evaluation.summary.to_pylist(), _summary(conventions), left=("over",))
-    out.print()
-    page.say(out, _legend(rows, conventions))
+    cells = [{**row, "name": name_of(row), **_numbers(row)} for row in shown]
+    yield Table("evaluated", cells, lambda row: "~" if _is_chance(row) else " ", columns=_COLUMNS)
+    yield from page.remarks(((name_of(row), _remarks(row)) for row in shown), everything)
+    yield from page.cut(rows, everything)
+    yield ""
+    interval = Column(f"{100 * conventions.confidence:.4g} % interval", "bounds")
+    columns = [*_SUMMARY[:3], interval, *_SUMMARY[3:]]
+    yield Table("metrics", list(map(_metric, evaluation.summary.to_pylist())), columns=columns)
+    yield ""
+    yield _legend(rows, conventions)
 
 
 def _check_relation(relation: str | None, what: str, database: str | None) -> None:
@@ -212,17 +203,31 @@ def _heading(name: str, rows: Sequence[Row], unmatched: int) -> list[str]:
     return lines
 
 
-def _columns(rows: Sequence[Row]) -> dict[str, page.Cell]:
-    has_outcome = any(row["outcome"] for row in rows)
-    has_chance = any(row["chance_reason"] != "not_asked" for row in rows)
+_COLUMNS = [
+    Column("channel", "name"),
+    Column("outcome", "outcome", optional=True),
+    Column("values", "k"),
+    Column("windows", "independent_windows"),
+    Column("Mon", "mon_text"),
+    Column("chance", "chance_text", optional=True),
+    Column("Corr", "corr_text"),
+    Column("Rob", "rob_text"),
+]
+_SUMMARY = [
+    Column("metric", "title"),
+    Column("value", "value_text"),
+    Column("± sd", "sd_text"),
+    Column("over", "over", left=True),
+]
+
+
+def _numbers(row: Row) -> Row:
+    """Return the figures of a channel as texts."""
     return {
-        **({"outcome": "outcome"} if has_outcome else {}),
-        "values": "k",
-        "windows": "independent_windows",
-        "Mon": lambda row: _number(row["mon_signed"], "+"),
-        **({"chance": lambda row: _number(row["mon_chance"])} if has_chance else {}),
-        "Corr": lambda row: _number(row["corr_signed"], "+"),
-        "Rob": lambda row: _number(row["rob"]),
+        "mon_text": _number(row["mon_signed"], "+"),
+        "chance_text": None if row["chance_reason"] == "not_asked" else _number(row["mon_chance"]),
+        "corr_text": _number(row["corr_signed"], "+"),
+        "rob_text": _number(row["rob"]),
     }
 
 
@@ -242,25 +247,17 @@ def _remarks(row: Row) -> list[str]:
     return [f"{', '.join(metrics)}: {_REASONS[reason]}" for reason, metrics in metrics_by_reason.items()]
 
 
-def _summary(conventions: Conventions) -> dict[str, page.Cell]:
+def _metric(row: Row) -> Row:
+    """Return the texts of a metric of the fleet."""
     over = {"prog": "failed", "disc": "healthy", "trendability": "failed", "global": "metrics"}
-
-    def bounds(row: Row) -> str:
-        if row["lower_bound"] is None:
-            return "-"
-        return f"{_number(row['lower_bound'])} to {_number(row['upper_bound'])}"
-
-    def counted(row: Row) -> str:
-        if row["value"] is None:
-            return _REASONS[row["reason"]]
-        return f"{row['counted']:,} {over.get(row['metric'], 'channels')}"
-
+    bounds = f"{_number(row['lower_bound'])} to {_number(row['upper_bound'])}"
+    counted = f"{row['counted'] or 0:,} {over.get(row['metric'], 'channels')}"
     return {
-        "metric": lambda row: _TITLES[row["metric"]],
-        "value": lambda row: _number(row["value"]),
-        "± sd": lambda row: _number(row["sd"]),
-        f"{100 * conventions.confidence:.4g} % interval": bounds,
-        "over": counted,
+        "title": _TITLES[row["metric"]],
+        "value_text": _number(row["value"]),
+        "sd_text": _number(row["sd"]),
+        "bounds": None if row["lower_bound"] is None else bounds,
+        "over": _REASONS[row["reason"]] if row["value"] is None else counted,
     }
 
 

@@ -27,8 +27,8 @@ reproduce = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     rich_markup_mode="markdown",
-    help="Run the paper's experiments again. Results are kept as files and used again, so that what was "
-    "interrupted goes on where it was.",
+    help="Run the experiments of the paper again.\n\nResults are stored as files and reused, so an "
+    "interrupted experiment continues.",
 )
 
 ResultsOption = Annotated[

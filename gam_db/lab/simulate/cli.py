@@ -29,7 +29,8 @@ simulate = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     rich_markup_mode="markdown",
-    help="Write a simulated fleet of robots, or the paper's simulated system, with the truth about it.",
+    help="Simulate a fleet of robots, or the system of the paper.\n\nThe truth about each series is "
+    "written beside it.",
 )
 
 OutOption = Annotated[

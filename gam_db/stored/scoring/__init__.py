@@ -209,7 +209,7 @@ class Run:
 
     def _look(self, cohort: Cohort) -> list[Row]:
         """Keep *names*, what the source holds by name in the range of a cohort, and return its rows."""
-        self.on_step("looking at the source")
+        self.on_step("reading the source")
         running = self.running
         running.steps = reading_steps(self.reader.readings(cohort.assets, cohort.earliest))
         is_first = cohort.channels and all(row["read_until"] == LONG_AGO for row in cohort.channels)
