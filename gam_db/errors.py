@@ -128,8 +128,8 @@ def unwritable(path: object, error: OSError, otherwise: type[UserError] | None =
     """Return why a file or folder cannot be written, as another error where there is room for it."""
     if error.errno in NO_ROOM:
         return FullError(
-            f"{path} cannot be written: its disk is full, or you may not write so much there. Nothing "
-            "is half written; make room, and run it again."
+            f"{path} cannot be written: its disk is full, or a quota is reached. No file is half "
+            "written. Make room, and run it again."
         )
     return (otherwise or ConfigurationError)(f"{path} cannot be written: {error.strerror}.")
 

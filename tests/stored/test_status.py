@@ -234,7 +234,7 @@ def test_an_asset_is_as_urgent_as_its_worst_channel(session: DuckSession) -> Non
         (
             "too_fine",
             4,
-            "too little calibration for a grid of use: calibrate longer, it takes about 70 more vectors",
+            "too little calibration for a useful grid: calibrate longer, it takes about 70 more vectors",
         ),
         ("needs_data", None, "calibration too short, it takes about 70 more vectors"),
     ],
