@@ -106,7 +106,7 @@ def test_day_and_month_are_told_by_all_files(order: tuple[str, ...], tmp_path: P
     for number, name in enumerate(order):
         (tmp_path / f"{name}.csv").write_text(lines(day(number, way), range(10)))
     with pytest.raises(
-        SourceError, match=r"'%d/%m/%Y %H:%M:%S' or .*'%m/%d/%Y %H:%M:%S' would .* is meant"
+        SourceError, match=r"'%d/%m/%Y %H:%M:%S' or .*'%m/%d/%Y %H:%M:%S' would .* choose one"
     ):
         rows(tmp_path)
     assert rows(tmp_path, time_format=way) == expected(3)
