@@ -1,6 +1,6 @@
-"""Time as integers: instants and lengths of the user, in microseconds (UTC) or counter steps.
+"""Time as integers: instants and lengths of users, in microseconds (UTC) or counter steps.
 
-This module owns what a number, a date or a text means as time. It knows no SQL.
+This module owns the conversion of numbers, dates and texts to time. It contains no SQL.
 """
 
 import datetime as dt
@@ -20,7 +20,7 @@ Length: TypeAlias = int | float | str | dt.timedelta
 LONG_AGO = -(2**62)
 FAR_AHEAD = 2**62
 SECOND = 1_000_000
-#: A counter that goes on by more than so many usual steps at once has jumped.
+#: A step of a counter of more than so many usual steps is a jump.
 JUMP = 1_000
 
 _EPOCH = dt.datetime(1970, 1, 1, tzinfo=dt.UTC)
@@ -45,13 +45,13 @@ SINCE_1970 = {
     "ns": ("nanoseconds", 10**9),
 }
 _1990, _2100 = 631_152_000, 4_102_444_800
-"""In seconds since 1970: what else would count from there to here?"""
+"""In seconds since 1970; a counter within these bounds is almost certainly a time."""
 _WHOLE = re.compile(r"-?[0-9]{1,30}")
 _LENGTH = re.compile(r"([0-9]{1,30}(?:\.[0-9]{0,30})?)\s*(us|ms|s|min|h|d|w)")
 
 
 class TimeKind(Enum):
-    """How a source tells time."""
+    """The kinds of time of a source."""
 
     COUNTER = "counter"
     TIMESTAMP = "timestamp"
@@ -61,17 +61,17 @@ class TimeKind(Enum):
 
     @property
     def is_counter(self) -> bool:
-        """True for an integer counter, false for anything a calendar can place."""
+        """Whether it is an integer counter, not a calendar time."""
         return self is TimeKind.COUNTER
 
     @property
     def has_zone(self) -> bool:
-        """True if its timestamps say that they are UTC."""
+        """Whether its timestamps have a zone (UTC)."""
         return self in (TimeKind.TIMESTAMP_WITH_ZONE, TimeKind.NANOSECONDS_WITH_ZONE)
 
     @property
     def furthest(self) -> int:
-        """How far from 0, on either side, it can tell time: 64 bits of nanoseconds are 292 years."""
+        """The largest distance from 0, on either side: 64 bits of nanoseconds are 292 years."""
         in_nanoseconds = self in (TimeKind.NANOSECONDS, TimeKind.NANOSECONDS_WITH_ZONE)
         return 2**63 // 1000 if in_nanoseconds else FAR_AHEAD
 
@@ -103,7 +103,7 @@ def instant(value: object, kind: TimeKind, what: str) -> int:
 
 
 def aware(time: dt.datetime) -> dt.datetime:
-    """Return a time with its zone; UTC where it says none."""
+    """Return a time with its zone; UTC if it has none."""
     return time if time.tzinfo is not None else time.replace(tzinfo=dt.UTC)
 
 
@@ -126,11 +126,11 @@ def length(value: object, kind: TimeKind, what: str) -> int:
     """Return a length of time as an integer: counter steps, or microseconds.
 
     It is a number (steps of a counter; seconds where the source has timestamps), a timedelta, or a text
-    such as ``"30 d"``, ``"1.5h"``, ``"200ms"``. A fraction of a step is dropped: no step of an integer
-    clock lies between. An error calls it *what*.
+    such as ``"30 d"``, ``"1.5h"``, ``"200ms"``. A fraction of a step is dropped, since an
+    integer clock has no such steps. An error calls it *what*.
 
     Raises:
-        ParameterError: the value is no length of that kind, or negative.
+        ParameterError: the value is not a length of that kind, or is negative.
     """
     value = _plain(value)
     steps: int | None = None
@@ -157,13 +157,13 @@ def length(value: object, kind: TimeKind, what: str) -> int:
 
 
 def epoch_unit(first: int, last: int) -> str | None:
-    """Return the unit by which a counter would tell times of our time; None if it looks like none."""
+    """Return the unit in which a counter would be a present-day time; None if none fits."""
     units = (unit for unit, (_, ticks) in SINCE_1970.items() if is_of_our_time(first, last, ticks))
     return next(units, None)
 
 
 def is_of_our_time(first: int, last: int, ticks: int = SECOND) -> bool:
-    """Tell whether instants since 1970, so many ticks a second, lie where machines of today run."""
+    """Tell whether instants since 1970, in so many ticks a second, are present-day times."""
     return _1990 * ticks <= first and last <= _2100 * ticks
 
 

@@ -1,11 +1,10 @@
-"""What can go wrong, and whose it is.
+"""Errors, by who can correct them.
 
-The command line exits with 1 where the user can mend it (UserError), with 75 where only the moment was
-wrong (RunAgainError), and with 3 where it is our fault (InternalError).
+The command line exits with 1 if the user can correct the error (UserError), with 75 if running again
+may help (RunAgainError), and with 3 for a fault of gam-db (InternalError).
 
-A message says what is wrong, where, and what to do; long ones are in ``errors.toml``. Values of the
-telemetry never appear in one, but for the first word that cannot be read as the number or time that it
-should be.
+A message says what is wrong, where, and what to do; long messages are in ``errors.toml``. Messages
+contain no values of the telemetry, except the first word that cannot be read as a number or time.
 """
 
 import difflib
@@ -17,7 +16,7 @@ from gam_db import data
 
 
 class GamError(Exception):
-    """Base of all errors that gam-db raises; ``code`` is a word for machines, which stays."""
+    """Base of all errors that gam-db raises; ``code`` is a stable word for programs."""
 
     code = "error"
 
@@ -26,14 +25,14 @@ class GamError(Exception):
 
 
 class UserError(GamError, code="user"):
-    """Something the user can mend.
+    """An error that the user can correct.
 
-    As a text it speaks of arguments in Python; ``options`` is the same for the command line.
+    As a text it names arguments in Python; ``options`` is the same with options of the command line.
     """
 
     @property
     def options(self) -> str:
-        """The message in the words of the command line."""
+        """The message with options of the command line."""
         return super().__str__()
 
     def __str__(self) -> str:
@@ -53,7 +52,7 @@ class CalibrationError(UserError, code="calibration"):
 
 
 class CalibrationWarning(UserWarning):
-    """The calibration is not good enough to judge by; what is fitted by it says little."""
+    """The calibration is not good enough to judge by; a model fitted with it has little value."""
 
 
 class SourceError(UserError, code="source"):
@@ -65,11 +64,11 @@ class ConfigurationError(UserError, code="configuration"):
 
 
 class EngineError(UserError, code="engine"):
-    """An unknown engine, or one that cannot do what is asked."""
+    """An unknown engine, or one that cannot do the work."""
 
 
 class RunAgainError(EngineError, code="again"):
-    """Only the moment was wrong: nothing was lost, and running again is all there is to do."""
+    """A temporary error: nothing was lost, and running again may succeed."""
 
 
 class ConflictError(RunAgainError, code="conflict"):
@@ -81,15 +80,15 @@ class LockedError(RunAgainError, code="locked"):
 
 
 class LostConnectionError(RunAgainError, code="connection"):
-    """The server went away, has no room, or is not there yet."""
+    """The connection to the server was lost or refused."""
 
 
 class FullError(RunAgainError, code="full"):
-    """A disk, or what may be written there, is full; what was there before is as it was."""
+    """A disk or a quota is full; what was there before is unchanged."""
 
 
 class StateError(UserError, code="state"):
-    """The state tables are missing, were changed, or are of another gam-db."""
+    """The state tables are missing, were changed, or belong to another version of gam-db."""
 
 
 class InternalError(GamError, code="fault"):
@@ -97,13 +96,13 @@ class InternalError(GamError, code="fault"):
 
 
 class TemplateError(InternalError):
-    """A file in sql/ breaks a rule, or its slots were not filled."""
+    """A file in sql/ breaks a rule, or lacks a value for a slot."""
 
 
 class StatementError(InternalError):
-    """A statement that gam-db made was refused by the engine.
+    """The engine refused a statement of gam-db.
 
-    The statement is kept in ``statement``, for those who ask; it is not poured into the message.
+    ``statement`` holds the statement; the message does not.
     """
 
     def __init__(self, message: str, statement: str = "") -> None:
@@ -112,7 +111,7 @@ class StatementError(InternalError):
 
 
 def wrong(key: str, /, **words: object) -> UserError:
-    """Return the error of a key of ``errors.toml``, with words filled in."""
+    """Return the error of a key of ``errors.toml``, with its slots filled."""
     for name, sentences in data.table("gam_db", "errors.toml").items():
         if key in sentences:
             error: UserError = globals()[name](sentences[key].format(**words))
@@ -120,21 +119,21 @@ def wrong(key: str, /, **words: object) -> UserError:
     raise InternalError(f"There is no error {key!r} in errors.toml.")
 
 
-#: What the system says where a disk, a quota, or a limit on the size of files leaves no room.
+#: Error numbers of the system for a full disk, a quota, or a limit on the size of files.
 NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 
 
 def unwritable(path: object, error: OSError, otherwise: type[UserError] | None = None) -> UserError:
-    """Return why a file or folder cannot be written, as another error where there is room for it."""
+    """Return the error on a file that cannot be written: FullError, or ``otherwise`` if there is room."""
     if error.errno in NO_ROOM:
         return FullError(
-            f"{path} cannot be written: its disk is full, or you may not write so much there. Nothing "
-            "is half written; make room, and run it again."
+            f"{path} cannot be written: its disk is full, or a quota is reached. No file is half "
+            "written. Make room, and run it again."
         )
     return (otherwise or ConfigurationError)(f"{path} cannot be written: {error.strerror}.")
 
 
-#: Options that are called otherwise in Python, where dashes alone do not make the difference.
+#: Options that have another name in Python, apart from dashes.
 _ARGUMENTS = {
     "calibrate": "intervals",
     "calibration_duration": "duration",
@@ -152,9 +151,9 @@ _PLACEHOLDER = re.compile(r"[A-Z]{2,}(/[A-Z]{2,})?")
 
 
 def _in_python(text: str) -> str:
-    """Return a message with arguments of Python in the place of options of the command line.
+    """Return a message with arguments of Python instead of options of the command line.
 
-    Commands, which stand in backticks, stay as they are.
+    Commands in backticks do not change.
     """
     parts = text.split("`")
     return "`".join(
@@ -174,16 +173,16 @@ def _argument(option: re.Match[str]) -> str:
 
 
 def printable(text: str) -> str:
-    """Return a text with nothing in it that a terminal would obey: such signs are spelt, ESC as x1b."""
+    """Return a text without control characters of a terminal: they are spelt, ESC as x1b."""
     return "".join(
         sign if sign.isprintable() else sign.encode("unicode_escape").decode("ascii") for sign in text
     )
 
 
 def nearest(word: str, names: Iterable[str], most: int = 12) -> str:
-    """Return the end of a sentence, its stop included, that says what ``word`` was meant to be.
+    """Return the end of a sentence, with its full stop, that suggests the name nearest to ``word``.
 
-    Where no known word is near, the first ``most`` of them are named.
+    If no name is near, it lists the first ``most`` names.
     """
     choices = list(names)
     folded = {choice.casefold(): choice for choice in reversed(choices)}

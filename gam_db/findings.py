@@ -1,7 +1,7 @@
-"""Findings: what the numbers of each channel say to the engineer, in plain words.
+"""Findings: the numbers of each channel in plain words for engineers.
 
-What is high, and what needs attention, is said by ``sql/judgement/``. This module owns the remarks, for
-a recording just studied and for what is stored of a monitor alike. It knows no terminal.
+``sql/judgement/`` decides which channels are high and need attention. This module owns the remarks,
+both for a recording that was just studied and for a stored monitor. It prints nothing.
 """
 
 import datetime as dt
@@ -29,15 +29,15 @@ ORDER = (
     ("channel", "ascending"),
 )
 
-#: A grid of fewer bins tells little but high from low: then the advice is a longer calibration.
+#: A grid of fewer bins tells high from low and little else, so the advice is a longer calibration.
 FEWEST_BINS = 5
 
 _SHORTCOMINGS = data.table("gam_db", "findings.toml")
 
-#: How the remark begins that every channel with a probe has.
+#: The beginning of the remark that every channel with a probe has.
 SEES = "sees "
 
-#: The changes that a channel may show beside shifts, in words.
+#: The changes other than shifts that a channel may show, in words.
 _CHANGES = {
     "sees_half_stroke": "half a stroke",
     "sees_frozen": "a frozen sensor",
@@ -45,33 +45,33 @@ _CHANGES = {
     "sees_slower": "two thirds as fast",
 }
 
-#: What is known of a channel on the way only.
+#: Columns of intermediate results.
 _INNER = ("behind", "still_tick", "has_limit", "raised", "asks", "sure", "since_tick")
 
-#: What the other columns of a support row say is a count or a share; these are read by name here.
+#: A row of results, by the names of its columns.
 Row = dict[str, Any]
 
 
 @dataclass(frozen=True)
 class Course:
-    """What a channel showed since it is scored."""
+    """The scores of a channel over time."""
 
     hi: NDArray[np.float64]  # (points,) the health indicator, oldest first; NaN until a window is scored
     highest: float | None  # its highest value; None until a window is scored
     vectors: int  # scored vectors in full buckets
     novel: int  # novel, out_of_range: of those of the last window, or of as many as there are
     out_of_range: int
-    has_moved: bool  # a vector was novel at some time
-    since: Any = None  # the instant at which the first point begins, as the source tells time
+    has_moved: bool  # whether any vector was novel
+    since: Any = None  # the instant at which the first point begins, in times of the source
     time: Any = None  # that of the last full bucket
 
 
 def findings(study: Study, alarms: Alarms | None = None, longest: int | None = None) -> list[Row]:
-    """Return what is found of each channel, the most urgent first.
+    """Return the findings on each channel, the most urgent first.
 
-    A row holds what was learnt of the channel (*support_summary*), what it is judged (*standing*) as of
-    its newest window, what :func:`finding` adds, and ``silent`` and ``still_since``, how it ends. A
-    silent channel ends more than *longest* steps of the clock before the newest data.
+    A row holds the calibration of the channel (*support_summary*), its status (*standing*) as of its
+    newest window, what :func:`finding` adds, and its end: ``silent`` and ``still_since``. A silent
+    channel ends more than *longest* steps of the clock before the newest data.
 
     Raises:
         UserError: the source cannot be used, or the rate does not fit its time.
@@ -107,42 +107,42 @@ def findings(study: Study, alarms: Alarms | None = None, longest: int | None = N
 def ended(end: int | None, newest: int | None, longest: int | None) -> Row:
     """Return how far a channel ends before the newest data (``behind``), and whether it is ``silent``.
 
-    Its end is None if no data was ever found; *longest* is as for :func:`findings`.
+    Its end is None if it never had data; *longest* is as for :func:`findings`.
     """
     behind = None if end is None or newest is None else newest - end
     return {"behind": behind, "silent": longest is not None and (behind is None or behind > longest)}
 
 
 def at_end(row: Row, still_since: int | None, kind: TimeKind) -> list[str]:
-    """Return what is to be said of a signal that ended, as :func:`ended` tells, or stands still."""
+    """Return the remarks on a signal that is silent, by :func:`ended`, or stands still."""
     remarks = []
     if row["silent"] and row["behind"] is None:
-        remarks.append("silent: no data was ever found")
+        remarks.append("silent: it never had data")
     elif row["silent"]:
         remarks.append(f"silent: {shown_length(row['behind'], kind)} behind the newest data")
     return remarks + standing(still_since, kind)
 
 
 def standing(still_since: int | None, kind: TimeKind) -> list[str]:
-    """Return what is to be said of a signal that stands still since an instant; nothing for None."""
+    """Return the remark on a signal that stands still since an instant; none for None."""
     if still_since is None:
         return []
     return [f"stands still since {shown_instant(still_since, kind)}{'' if kind.is_counter else ' UTC'}"]
 
 
 def finding(row: Row, span: int, window: int, course: Course | None) -> Row:
-    """Return a row of a channel with what else is known of it.
+    """Return the row of a channel with its course and remarks.
 
     Args:
-        row: what was learnt of it, and what it is judged.
+        row: its calibration and its status.
         span: samples between the oldest and the newest of a vector.
         window: W, in vectors.
-        course: what it showed; None while no bucket is full.
+        course: its scores over time; None while no bucket is full.
 
     Returns:
         The row, and ``window``; ``course``, (points,) the health indicator so far, oldest first, NaN
         until a window is scored; ``course_from``, when it begins; ``scored``, vectors in full buckets;
-        ``remarks``, what is to be known.
+        ``remarks``, a list of texts.
     """
     return {
         **row,
@@ -156,7 +156,7 @@ def finding(row: Row, span: int, window: int, course: Course | None) -> Row:
 
 
 def is_blind(row: Row) -> bool:
-    """Tell whether a channel would show no shift of its machine, whatever its status."""
+    """Tell whether a channel would show no shift of its machine, for any status."""
     return bool(row["verdict"] == "blind")
 
 
@@ -166,13 +166,13 @@ def need_attention(rows: Iterable[Row]) -> bool:
 
 
 def lack_data(rows: Iterable[Row]) -> bool:
-    """Tell whether a channel has no calibration for want of data, or no channel at all can be judged."""
+    """Tell whether a channel lacks data for calibration, or no channel can be judged."""
     verdicts = {row["verdict"] for row in rows}
     return "no_data" in verdicts or verdicts <= {"constant"}
 
 
 def by_channel(rows: pa.Table) -> dict[tuple[str, str], slice]:
-    """Return where the rows of each channel are, which lie beside one another."""
+    """Return the slice of the rows of each channel; rows of a channel must be adjacent."""
     if not rows.num_rows:
         return {}
     names = [rows[role].combine_chunks().dictionary_encode() for role in ("asset", "channel")]
@@ -242,17 +242,17 @@ def _of_episode(row: Row) -> list[str]:
     if row["episode"] is None:
         return []
     over = "" if row["is_open"] else ", over"
-    proving = ", right after calibration: that was no fair sample, or something changed"
+    proving = ", right after calibration: calibration was not a fair sample, or something changed"
     onset = row["onset"]
     since = f"{onset:,}" if isinstance(onset, int) else f"{onset:%Y-%m-%d %H:%M} UTC"
     return [f"episode since {since}{over}{proving * (row['status'] == 'proving')}"]
 
 
 def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
-    """Return why a channel cannot be watched, and what would help; nothing for a good calibration.
+    """Return why a channel cannot be watched, and what would help; empty for a good calibration.
 
     *row* has verdict, calibrated_lo, finest_bins and vectors_needed; *span* counts the samples between
-    the oldest and the newest of a vector; it has moved if a vector was novel since.
+    the oldest and the newest of a vector; *has_moved* tells whether a vector was novel since.
     """
     shortcoming = row["verdict"]
     if row.get("limit_reason") == "unrepresentative":
@@ -263,9 +263,9 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
         shortcoming = "short"
     elif shortcoming == "blind":
         shortcoming = f"blind_{row['blind_reason']}"
-    more, needed = "how much more it takes cannot be told yet", row["vectors_needed"]
+    more, needed = "it needs more vectors, but how many is not known yet", row["vectors_needed"]
     if needed is not None:
-        more = f"it takes about {needed:,} more vectors"
+        more = f"it needs about {needed:,} more vectors"
     words = {"run": span + 1, "bins": row["finest_bins"], "more": more}
     if shortcoming == "blind_range":
         lo, hi = row["calibrated_lo"], row["calibrated_hi"]
@@ -278,7 +278,7 @@ def shortcomings(row: Row, span: int, has_moved: bool = False) -> list[str]:
 
 
 def vouching(row: Row) -> list[str]:
-    """Return whose calibration judges a channel of a pool; nothing of one that stands alone.
+    """Return whose calibration judges a channel of a pool; empty for a channel without a pool.
 
     *row* has vouched_by, taught_by, floor and member_floor (both sides, section 6).
     """
@@ -286,7 +286,7 @@ def vouching(row: Row) -> list[str]:
     if row["vouched_by"] == 1:
         return [f"not vouched: only {teachers} taught"]
     if row["vouched_by"] is not None:
-        return [f"judged by {teachers}; of itself nothing is known"]
+        return [f"judged by {teachers}; its own healthy states are not known"]
     return (
         []
         if floor is None
@@ -297,7 +297,7 @@ def vouching(row: Row) -> list[str]:
 def sight(row: Row) -> list[str]:
     """Return which changes of the machine a channel would show, and which it would not.
 
-    *row* has what :func:`gam_db.support` returns of them (both sides, section 3).
+    *row* has the columns of :func:`gam_db.support` on them (both sides, section 3).
     """
     seen = [] if row["sees"] is None else [f"shifts of {row['sees']} % of its usual range"]
     seen += [words for name, words in _CHANGES.items() if row[name]]
@@ -309,9 +309,9 @@ def sight(row: Row) -> list[str]:
 
 
 def dropped(row: Row) -> list[str]:
-    """Return which calibration samples were left out of a channel's range; nothing where none was.
+    """Return which calibration samples were left out of a channel's range; empty if none.
 
-    *row* has what :func:`gam_db.support` says of its range.
+    *row* has the columns of :func:`gam_db.support` on its range.
     """
     parts = []
     for side, value, words in (
@@ -328,12 +328,12 @@ def dropped(row: Row) -> list[str]:
 
 
 def is_short(row: Row) -> bool:
-    """Tell whether a coarser grid would pass that shows nothing: only a longer calibration helps."""
+    """Tell whether only a grid too coarse to be useful would pass, so only longer calibration helps."""
     return bool(row["verdict"] == "too_fine" and row["finest_bins"] < FEWEST_BINS)
 
 
 def share(value: float | None) -> str:
-    """Return a share as an engineer reads it: 0.017, 0.88; a dash where there is none."""
+    """Return a share for engineers: 0.017, 0.88; a dash for None."""
     if value is None:
         return "-"
     return f"{value:.3f}" if value < 0.1 else f"{value:.2f}"

@@ -1,4 +1,4 @@
-"""The exact form: from a source to its health indicator, support and certificate, nothing stored.
+"""The exact form: from a source to its health indicator, support and certificate; it stores nothing.
 
 This module owns the public calls of that form.
 """
@@ -25,18 +25,18 @@ def health_indicator(
     """Return the health indicator at every scored vector (paper, Eq. 1 to 4).
 
     Args:
-        source: where the telemetry lies: a :class:`Source` or :class:`WideSource`, or what these take as
-            relation (a path, a list of paths, a table, a data frame), its columns guessed as the command
-            line does; also polars' LazyFrame, a relation of DuckDB, a table of Ibis. A single signal may
-            be a 1-D array of NumPy, whose readings count 0, 1, 2, ..., or a series of pandas, whose
-            index (a DatetimeIndex or whole numbers) is the time; its channel is called like the series,
-            else ``value``.
+        source: the telemetry: a :class:`Source` or :class:`WideSource`, or a relation that these accept
+            (a path, a list of paths, a table, a data frame), whose columns gam-db guesses like the
+            command line; also polars' LazyFrame, a relation of DuckDB, a table of Ibis. A single signal
+            may be a 1-D array of NumPy, whose readings have the times 0, 1, 2, ..., or a series of
+            pandas, whose index (a DatetimeIndex or whole numbers) is the time; the name of the series,
+            else ``value``, is the name of its channel.
         parameters: of the method; default :class:`Parameters`.
         calibration: the healthy part; default the first fifth of each channel.
         engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
 
     Returns:
-        Units stand in the metadata of its schema (:mod:`gam_db.units`).
+        The metadata of the schema hold the units (:mod:`gam_db.units`).
 
         One row per scored vector, ordered by asset, channel and time: asset, channel, time (as in the
         source), cell_key, novel (0 or 1), out_of_range (1 if a coordinate lies outside the calibrated
@@ -44,7 +44,7 @@ def health_indicator(
         vectors_in_window (both counts), hi (their ratio, NULL until the window is full).
 
     Raises:
-        UserError: see its subclasses; the message says what to mend.
+        UserError: see its subclasses; the message says what to correct.
     """
     return _table("health_indicator", source, parameters, calibration, engine)
 
@@ -58,7 +58,7 @@ def health_at_buckets(
 ) -> pa.Table:
     """Return the health indicator at the end of every full bucket of ``stride`` scored vectors.
 
-    Arguments and errors as in :func:`health_indicator`, whose integers these are.
+    Arguments, errors and integers are those of :func:`health_indicator`.
 
     Returns:
         One row per bucket, ordered: asset, channel, bucket (from 0), first_time, last_time, novel and
@@ -74,14 +74,14 @@ def support(
     calibration: Calibration | None = None,
     engine: Any = None,
 ) -> pa.Table:
-    """Return what was learnt of each channel and the certificate's summary (method, section 5).
+    """Return the calibration of each channel and a summary of its certificate (method, section 5).
 
     Arguments and errors as in :func:`health_indicator`.
 
     Returns:
         One row per channel, ordered: asset, channel, calibrated_lo, calibrated_hi, dropped_below,
         dropped_above (calibration samples left out of that range), lowest_dropped, highest_dropped
-        (those farthest from it, NULL where there are none), samples, calibration_samples,
+        (the farthest of them, NULL where there are none), samples, calibration_samples,
         calibration_vectors, cells, missing_vectors, conflicts, verdict (no_data, constant, ready,
         blind, too_fine, needs_data or not_vouched), floor, floor_sd, floor_max (shares), good_turing,
         cells_per_vector, blocks, finest_bins (the finest grid that passes), vectors_needed (further
@@ -107,11 +107,11 @@ def probe(
     calibration: Calibration | None = None,
     engine: Any = None,
 ) -> pa.Table:
-    """Return what the indicator would show of each channel if its machine changed.
+    """Return, for each channel, what the indicator would show if its machine changed.
 
-    Up to 1,000 vectors of calibration are changed and looked up in the support as those of a healthy
-    block are: a cell that no other block visited is novel (both sides, section 2). Arguments and errors
-    as in :func:`health_indicator`.
+    It changes up to 1,000 vectors of calibration and looks them up in the support like those of a
+    healthy block: a cell that no other block visited is novel (both sides, section 2). Arguments and
+    errors as in :func:`health_indicator`.
 
     Returns:
         19 rows per channel that calibration teaches, ordered: asset, channel, change_name (shift +1 % to
@@ -129,20 +129,20 @@ def programs(
     calibration: Calibration | None = None,
     engine: Any = None,
 ) -> pa.Table:
-    """Return what each machine ran in calibration and since (both sides, section 5).
+    """Return the programs that each machine ran in calibration and since (both sides, section 5).
 
-    The source names the column that says so (``program``). Arguments and errors as in
+    The source names the column of programs (``program``). Arguments and errors as in
     :func:`health_indicator`.
 
     Returns:
         One row per channel and program, ordered: asset, channel, program (as text; NULL for readings
         without one), verdict (ready, needs_data or unknown: vectors of the last two are not judged),
         vectors (of calibration), unvouched (of these, how many only their own block vouches for), floor
-        (their share), readings, first_time, last_time (since calibration, missing ones left out). What
-        speaks of calibration is the pool's.
+        (their share), readings, first_time, last_time (since calibration, missing ones left out).
+        Figures of calibration are those of the pool.
 
     Raises:
-        SourceError: the source names no such column.
+        SourceError: the source names no program column.
     """
     if getattr(source, "program", None) is None:
         raise wrong("no_program_column")

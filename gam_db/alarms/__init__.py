@@ -1,7 +1,7 @@
-"""Alarms without tables: judgements, limits that they are judged by, and episodes (alarms, 2 to 4).
+"""Alarms without state tables: judgements, their limits, and episodes (alarms, 2 to 4).
 
-This module owns the settings of alarms, the public calls of that form, and in which order limits are
-made: what calibration says, which family drifts, its replay, a height for each channel.
+This module owns the settings of alarms, the public calls of that form, and the order in which limits are
+computed: statistics of calibration, drift of families, their replay, a height for each channel.
 """
 
 import math
@@ -34,13 +34,13 @@ _ORDERED_BLOCKS, _DRIFTING_BLOCKS = 18, 40
 _UNREPRESENTATIVE, _UNLIKE, _DRIFTING = 1500, 1100, 1050
 _LARGEST_EXTENT = 3_000_000_000
 
-#: Why a channel is not judged whose calibration is no fair sample of what follows.
+#: Why a channel is not judged if its calibration is not a fair sample of what follows.
 UNREPRESENTATIVE = "unrepresentative"
 
 Row = dict[str, Any]
 
 
-#: Steps at work: what a study does, and tables that calibration left.
+#: Something that runs steps: a study, or tables that a calibration stored.
 Work: TypeAlias = Study | Running
 
 
@@ -64,10 +64,10 @@ class Alarms:
             Rate.of(self.rate)
 
     def rate_for(self, kind: TimeKind) -> str:
-        """Return the rate that is asked for, in words.
+        """Return the requested rate, in words.
 
         Raises:
-            ParameterError: it is one in days, and the source counts time in integers.
+            ParameterError: the rate is in days, and the source counts time in integers.
         """
         if self.rate is None:
             return "0.5 per 1000 judgements" if kind.is_counter else "1 per month"
@@ -90,7 +90,7 @@ def judgements(
         source: as in :func:`gam_db.health_indicator`.
         parameters: of the method; default :class:`Parameters`.
         calibration: the healthy part; default the first fifth of each channel.
-        alarms: the asked rate and the families; default :class:`Alarms`.
+        alarms: the requested rate and the families; default :class:`Alarms`.
         engine: None for DuckDB in memory, the path of a DuckDB file, or an open connection.
 
     Returns:
@@ -100,7 +100,7 @@ def judgements(
         cannot lie before: without evidence, or open before this one; NULL if there was none).
 
     Raises:
-        UserError: see its subclasses; the message says what to mend.
+        UserError: see its subclasses; the message says what to correct.
     """
     with studied(source, parameters, calibration, engine) as study:
         return _judged(study, alarms, "judgements")
@@ -114,7 +114,7 @@ def episodes(
     alarms: Alarms | None = None,
     engine: Any = None,
 ) -> pa.Table:
-    """Return when channels were raised, and since when.
+    """Return the episodes: when channels were raised, and their onsets.
 
     Arguments and errors as in :func:`judgements`.
 
@@ -122,9 +122,9 @@ def episodes(
         One row per episode, ordered: asset, channel, episode (from 1 in its channel), onset (the
         judgement in which its evidence left 0), first_judgement and last_judgement (the open ones),
         onset_time, first_time, last_time, evidence (the highest), height (1 where its indicator opened
-        it, as its judgements have no limit), is_open (1 if it goes on), is_proving (1 if it opened
-        within as many judgements as calibration has blocks, so that either calibration was no fair
-        sample or something changed right after it).
+        it, as its judgements have no limit), is_open (1 if it continues), is_proving (1 if it opened
+        within as many judgements as calibration has blocks, so that either calibration was not a
+        fair sample or something changed right after it).
     """
     with studied(source, parameters, calibration, engine) as study:
         return _judged(study, alarms, "episodes")
@@ -138,7 +138,7 @@ def limits(
     alarms: Alarms | None = None,
     engine: Any = None,
 ) -> pa.Table:
-    """Return by what each channel is judged, or why it is not (alarms, sections 2 and 3).
+    """Return the limit of each channel, or why it has none (alarms, sections 2 and 3).
 
     Arguments and errors as in :func:`judgements`.
 
@@ -148,7 +148,7 @@ def limits(
         (the height in quarters of a spread), basis (replay, extrapolated, table, drifting or none;
         indicator where there is no limit and the health indicator judges, with a height of 1),
         order_ratio (in thousandths, NULL with fewer than 18 blocks), judgements_per_day (NULL on a
-        counter), rate (asked for, per judgement), stated_rate (that the height is for, at least 0.5 per
+        counter), rate (requested, per judgement), stated_rate (that the height is for, at least 0.5 per
         1,000; NULL where none can be stated), reason (why there is no limit: then centre, spread,
         quarters and rates are NULL, and without the indicator all that follows from one is).
     """
@@ -163,7 +163,7 @@ def _judged(study: Study, alarms: Alarms | None, step: str) -> pa.Table:
 
 
 def judge(study: Study, rows: Sequence[Row]) -> list[Row]:
-    """Let a study judge by limits, as :func:`limits_of` returns them; return those that judged.
+    """Add judgements by limits, as :func:`limits_of` returns them; return the limits that judge.
 
     A channel without a limit of judgements is judged by its indicator, where that has a limit.
     """
@@ -175,10 +175,10 @@ def judge(study: Study, rows: Sequence[Row]) -> list[Row]:
 
 
 def add_status(study: Study, alarms: Alarms) -> None:
-    """Add the step *standing*: what each channel is, by its episodes or else by its indicator.
+    """Add the step *standing*: the status of each channel, by its episodes or else by its indicator.
 
     Raises:
-        ParameterError: a rate in days is asked for, and the source counts time in integers.
+        ParameterError: the rate is in days, and the source counts time in integers.
     """
     rows = limits_of(study, alarms)
     judge(study, rows)
@@ -193,7 +193,7 @@ def limits_of(study: Study, alarms: Alarms) -> list[Row]:
     """Return the limits of all channels of a study, as :func:`limits` does, with their channel_id.
 
     Raises:
-        ParameterError: a rate in days is asked for, and the source counts time in integers.
+        ParameterError: the rate is in days, and the source counts time in integers.
     """
     alarms.rate_for(study.method.kind)
     add_learnt_limits(study.steps, study.method, alarms.family)
@@ -201,7 +201,7 @@ def limits_of(study: Study, alarms: Alarms) -> list[Row]:
 
 
 def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
-    """Return the limits of all channels of the step *learnt_limits*: its columns, and those chosen.
+    """Return the limits of all channels of the step *learnt_limits*, with the heights chosen for them.
 
     Raises:
         ParameterError: as :meth:`Alarms.rate_for`.
@@ -247,10 +247,10 @@ def chosen_limits(work: Work, alarms: Alarms, kind: TimeKind) -> list[Row]:
 
 
 def indicated(hi_limit: float, window: int) -> Row:
-    """Return what judges a channel by its indicator, where its judgements have no limit.
+    """Return the limit of a channel that is judged by its indicator, for lack of a limit of judgements.
 
-    A window is raised where more of its W vectors are novel than hi_limit W, and opens an episode at
-    once: no other height is 1. No rate can be stated.
+    A window with more than hi_limit W novel vectors is raised, and opens an episode at once: no other
+    limit has the height 1. No rate can be stated.
     """
     count = math.floor(hi_limit * window)
     count += (count + 1) / window <= hi_limit
@@ -260,12 +260,12 @@ def indicated(hi_limit: float, window: int) -> Row:
 
 
 def day_of(kind: TimeKind) -> int | None:
-    """Return a day in the unit of time; None where the source counts time."""
+    """Return the length of a day in the unit of time; None if the source counts time."""
     return None if kind.is_counter else length("1 d", kind, "a day")
 
 
 def assess(row: Row, day: int | None) -> None:
-    """Add to a row of *learnt_limits* its judgements a day, and why there is no limit."""
+    """Add the judgements per day, and the reason for no limit, to a row of *learnt_limits*."""
     row["judgements_per_day"] = None
     if day is not None and row["calibration_length"]:
         in_all = row["window_length"] * row["calibration_length"]
@@ -289,7 +289,7 @@ def _reason(row: Row, day: int | None) -> str | None:
 
 
 def _based(row: Row, drifting: bool) -> Row:
-    """Return g of a channel, and its basis where that is known before a height is."""
+    """Return g of a channel, and its basis if that does not depend on the height."""
     if drifting:
         is_long = row["blocks"] >= _DRIFTING_BLOCKS
         return {"g": FAR if is_long else NEAR, "basis": "drifting" if is_long else "none"}
@@ -298,7 +298,7 @@ def _based(row: Row, drifting: bool) -> Row:
 
 
 def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mapping[int, dict[int, int]]]:
-    """Return of each family that can be replayed its judgements, and its episodes by height."""
+    """Return the judgements of each family that can be replayed, and its episodes by height."""
     families: dict[int, list[Row]] = defaultdict(list)
     for row in members:
         if row["basis"] != "none":
@@ -326,7 +326,7 @@ def _replayed(work: Work, members: Sequence[Row]) -> tuple[dict[int, int], Mappi
 
 
 def high(row: Row, height: Height) -> Row:
-    """Return what follows from a height, and from the centre, the spread and the rate of a limit."""
+    """Return the columns that follow from a height, and from the centre, spread and rate of a limit."""
     scaled = (height.quarters * row["spread"] + 3) // 4
     return {
         "reference": row["centre"] + row["spread"],

@@ -66,7 +66,7 @@ def backtest(
         backtested = study.rows("backtested")
     if not frozen:
         why = "; ".join(f"{count:,}: {reason}" for reason, count in sorted(_withheld(rows).items()))
-        raise ParameterError(f"There is no judgement to count, since no channel has a limit ({why}).")
+        raise ParameterError(f"There is no judgement to count, because no channel has a limit ({why}).")
     if not backtested:
         raise wrong("healthy_holds_no_window")
     return figures(alarms.rate_for(study.method.kind), rows, backtested)

@@ -53,7 +53,7 @@ def connect(
             extra), or the database cannot be opened.
     """
     if isinstance(target, Session):
-        raise EngineError("This session is open already; use it as it is.")
+        raise EngineError("This session is already open; use it without connect().")
     if type(target).__module__.startswith("sqlalchemy."):  # an engine or its URL
         target = getattr(target, "url", target).render_as_string(hide_password=False)
     address = str(target) if isinstance(target, (str, Path)) else None
@@ -76,7 +76,9 @@ def connect(
             raise wrong("no_database", what="empty")
         return DuckSession(address.removeprefix(_FILE), threads, writable, files)
     if scheme == "duckdb":
-        raise EngineError(f"{address} names a server; a DuckDB file is duckdb:///PATH, three slashes.")
+        raise EngineError(
+            f"{address} names a server; for a DuckDB file write duckdb:///PATH, with three slashes."
+        )
     if scheme not in _SCHEMES:
         raise wrong("no_such_database", scheme=scheme, hint=nearest(scheme, _SCHEMES))
     return _opened(_SCHEMES[scheme], address, writable)

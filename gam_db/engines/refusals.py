@@ -1,7 +1,7 @@
-"""What engines refuse, and what the user can do about it: the table ``refusals.csv``, a row per answer.
+"""Errors of engines and what the user can do about them: the table ``refusals.csv``, a row per answer.
 
-Of the rows of an engine the first counts that has a sign of the error: what the engine calls it, or says
-of it (``*`` any text, ``?`` one character). Words in braces are filled in.
+Among the rows of an engine, the first with a sign of the error counts: its name, number or message
+(``*`` any text, ``?`` one character). Code fills in the names in braces.
 """
 
 import csv
@@ -12,24 +12,24 @@ from gam_db.errors import UserError
 
 READ_ONLY = "The database is open for reading only; it cannot be changed."
 OPEN = "The connection has a transaction open; commit it or roll it back first."
-UNWRITTEN = "The database cannot be written; is its disk full? What was there before is as it was."
-FULL = "What was there before is as it was; make room, and run it again."
+UNWRITTEN = "The database cannot be written; is its disk full? What was there before is unchanged."
+FULL = "What was there before is unchanged. Make room, and run it again."
 CONFLICT = (
-    "Another connection changed the same tables at the same time; what was to be written here was not. "
+    "Another connection changed the same tables at the same time, so this one wrote nothing. "
     "Run it again."
 )
 
 _TABLE = list(csv.DictReader(data.text("gam_db.engines", "refusals.csv").splitlines()))
 
-#: What several engines say.
+#: Texts that several engines share.
 _SHARED = {"conflict": CONFLICT, "full": FULL, "unwritten": UNWRITTEN, "read_only": READ_ONLY}
 
 
 def refusal(of: str, *traits: str, **words: object) -> UserError | None:
-    """Return what the user can do about an error; None if it is none of the user's.
+    """Return the error that tells a user what to do; None if the user did not cause it.
 
-    It is looked up by the name in the first column of the table and by what is known of the error (its
-    name or number, what is said of it); words fill the braces of sentences.
+    ``of`` is the name in the first column of the table; ``traits`` are the name, number and message of
+    the error; words fill the braces of sentences.
     """
     for row in _TABLE:
         signs = row["signs"].split("|")
@@ -40,12 +40,12 @@ def refusal(of: str, *traits: str, **words: object) -> UserError | None:
 
 
 def refused(of: str, *traits: str, **words: object) -> UserError:
-    """Return the same of what is always the user's: the table has an answer to any error."""
+    """Return the same where the table has an answer to any error."""
     error = refusal(of, *traits, **words)
     assert error is not None, of
     return error
 
 
 def first_line(error: BaseException | None) -> str:
-    """Return the first line of what an engine says of an error."""
+    """Return the first line of the message of an error."""
     return str(error).strip().partition("\n")[0]

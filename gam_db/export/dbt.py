@@ -131,7 +131,9 @@ class Package:
         if is_file(relation) or not isinstance(relation, (str, tuple, list)):
             raise wrong("dbt_no_table")
         if isinstance(self.source, WideSource) and self.source.channels is None:
-            raise SourceError("A dbt package of a wide table needs its channels named: channels=[...].")
+            raise SourceError(
+                "A dbt package of a wide table needs the names of its channels: channels=[...]."
+            )
         parts = [part.name for part in table_names(relation)[0].parts]  # type: ignore[attr-defined]
         catalog, schema, table = [None] * (3 - len(parts)) + parts
         if schema and self.schema and schema != self.schema:

@@ -53,8 +53,8 @@ def rendered(monitor: Monitor) -> str:
     session, state = monitor.session, monitor.state
     if not session.engine.failing:
         raise EngineError(
-            f"A run on {session.engine.title} takes Python (gam score): there a script cannot take back "
-            "what it wrote where another run was faster."
+            f"A run on {session.engine.title} needs Python (gam score): on this engine a script "
+            "cannot undo its writes when another run was faster."
         )
     row = state.monitor(monitor.name)
     run = _RunScript(monitor, row)
@@ -74,8 +74,8 @@ class _RunScript:
         self.lookback = lengths.lookback(monitor.lookback, self.kind, repeat_of(row["source"]))
         if not isinstance(source.relation, (str, tuple, list)) or is_file(source.relation):
             raise ParameterError(
-                "The source of this monitor is no table or view of its database, which a script could "
-                "read; a run of it takes Python (gam score)."
+                "The source of this monitor is not a table or view of its database, so a script cannot "
+                "read it; use Python (gam score)."
             )
         reader = Reader(session, source, self.kind, monitor.name)  # which refuses another kind of time
         self.read = prepared(session, source)

@@ -261,7 +261,7 @@ def _looked_at(
     if source.of_words:
         raise wrong("script_reads_no_words", names=", ".join(source.of_words))
     if isinstance(source, WideSource) and source.channels is None:
-        raise SourceError("A script of a wide table needs its channels named: channels=[...].")
+        raise SourceError("A script of a wide table needs the names of its channels: channels=[...].")
     if isinstance(source.relation, pa.Table):
         raise SourceError("A script needs a table that the engine holds, not an Arrow table.")
     if not isinstance(relation, (str, tuple, list)):

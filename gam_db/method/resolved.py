@@ -80,8 +80,8 @@ class Method:
             names = {name for variant in self.parameters.variants() for name in variant.open_settings}
             options = " and ".join(f"--{name}" for name in OPENABLE if name in names)
             raise ParameterError(
-                f"Calibration chooses {options} where telemetry is read, which it is not here: "
-                f"give {options}, or calibrate first, or --paper."
+                f"Calibration chooses {options} from telemetry, which is not read here: give {options}, "
+                "or calibrate first, or give --paper."
             )
         settings = tuple(dict.fromkeys(self.parameters.variants()))
         longest = (setting.max_gap for setting in settings)

@@ -1,7 +1,7 @@
 """Rows that are later than now: they are left out, counted and named.
 
-A clock that runs ahead must decide nothing: no newest time, no share of calibration. This module owns
-the latest instant that counts, and the sentences about rows after it. A counter has no clock.
+A clock that runs ahead must not decide anything: no newest time, no share of calibration. This module
+owns the latest instant that counts, and the sentences about rows after it. A counter has no clock.
 """
 
 from collections import Counter
@@ -36,7 +36,7 @@ def tolerance(source: AnySource, kind: TimeKind) -> int | None:
     """Return by how many microseconds a row may be ahead of now; None if it may be by any time.
 
     Raises:
-        ParameterError: it is no length of time.
+        ParameterError: it is not a length of time.
     """
     if kind.is_counter or source.clock_tolerance is False:
         return None
@@ -90,7 +90,7 @@ def rows_ahead(session: Session, readings: exp.Query | exp.Table, latest: int) -
 
 
 def zone_hours(rows: Sequence[Row], channels: int, clock: Clock) -> float | None:
-    """Return the hours by which most channels are ahead alike, as local times are; None if none are.
+    """Return by how many hours most channels are equally ahead, as local times are; else None.
 
     Args:
         rows: as :func:`rows_ahead` returns them.
@@ -108,7 +108,7 @@ def zone_hours(rows: Sequence[Row], channels: int, clock: Clock) -> float | None
 
 
 def ahead_sentences(rows: Sequence[Row], channels: int, clock: Clock) -> list[str]:
-    """Return what a user must know of rows that are later than now, in plain words; empty for none.
+    """Return the sentences for users about rows that are later than now; empty for none.
 
     Arguments as for :func:`zone_hours`.
     """

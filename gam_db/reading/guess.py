@@ -1,7 +1,7 @@
-"""Guessing: which column is the machine, the signal, the time and the reading, where nobody said.
+"""Guessing which column is the machine, the signal, the time and the reading, where no setting names it.
 
-This module owns what can be said of a source, well-known column names and the rules of guessing. What it
-cannot tell it asks for: a wrong guess would merge machines or signals without a word. It reads no rows.
+This module owns the settings of a source, well-known column names and the rules of guessing. Where it
+cannot tell, it asks: a wrong guess would merge machines or signals silently. It reads no rows.
 """
 
 import dataclasses
@@ -33,17 +33,17 @@ from gam_db.settings.setting import (
 )
 from gam_db.settings.source import AnySource, Source, WideSource, as_folder, is_file
 
-#: A column that was named, False for "there is none", None for "not said".
+#: The name of a column, False for "there is none", None for "not set".
 Column: TypeAlias = str | Literal[False] | None
 
-#: One column per channel, said by a word in gam.toml and by an option without a value.
+#: One column per channel: a text in gam.toml, an option without a value on the command line.
 LAYOUT = dataclasses.replace(choice_of("long", "wide"), option=bool, read=lambda *_: "wide")
 
 
 @declared
 @dataclass(frozen=True)
 class SourceSettings(Form):
-    """What was said of the source; None is "not said", and what is not said is guessed."""
+    """The settings of a source; None is "not set", and gam-db guesses what is not set."""
 
     relation: str | tuple[str, ...] | None = setting(None, TEXT_OR_TEXTS)
     database: str | None = setting(None, TEXT)
@@ -64,16 +64,16 @@ class SourceSettings(Form):
         return None if self.database is None else shown(self.database)
 
     def check_conditions(self, engine: Engine) -> None:
-        """Refuse conditions that an engine may not be asked, unless any is let.
+        """Refuse conditions that are not allowed on an engine, unless ``where_any`` allows all.
 
         Raises:
-            UserError: one is no condition, or holds what is not listed.
+            UserError: one is not a condition, or contains something that is not listed.
         """
         if not self.where_any:
             check_conditions(self.where, self.valid_when, engine)
 
 
-#: role -> names that say it, in two strengths.
+#: role -> names of columns that have it, in two strengths.
 COLUMN_NAMES: Mapping[str, tuple[frozenset[str], frozenset[str]]] = {
     role: (frozenset(words["strong"].split()), frozenset(words["weak"].split()))
     for role, words in data.table("gam_db.reading", "guess.toml").items()
@@ -82,30 +82,30 @@ _TAIL = re.compile(r"(?<=..)(id|name|number|no|nr)$")
 
 _WHAT = {"asset": "the machine", "channel": "the signal", "time": "the time", "value": "the reading"}
 _LONGEST = 260
-"""Letters of an error that names columns, about; not all are named where there are many."""
+"""Approximate length of an error that names columns; of many columns it names only the first."""
 _NONE = {"asset": "--no-asset if it is one machine", "channel": "--no-channel if it is one signal"}
 
 
 @dataclass(frozen=True)
 class Guess:
-    """A source with its columns, and what of it was guessed."""
+    """A source with its columns, and which of them were guessed."""
 
     source: AnySource  # all columns named
-    guessed: Mapping[str, str]  # role -> column, or a short phrase, for what nobody had said
+    guessed: Mapping[str, str]  # role -> column, or a short phrase, for each role that was not set
     unused: tuple[str, ...]  # columns that are not read
 
 
 def guess(
     relation: Any, columns: Mapping[str, str], settings: SourceSettings, session: Session
 ) -> Guess:
-    """Return the source that the settings mean, the columns that were not named being guessed.
+    """Return the source that the settings describe; guess the columns that they do not name.
 
-    Columns are name -> type, in order; of the settings columns, layout and condition are looked at.
+    Columns are name -> type, in order; only columns, layout and condition of the settings count.
 
     Raises:
-        SourceError: a column that was named is not there, or one that was not named cannot be guessed;
+        SourceError: a named column does not exist, or a column that is not named cannot be guessed;
             the message lists the columns and the options to use.
-        ConfigurationError: a condition holds what is not listed for the engine, and was not let.
+        ConfigurationError: a condition contains something that is not allowed on the engine.
     """
     settings.check_conditions(session.engine)
     return _Guesser(columns, settings, session).guess(relation)
@@ -120,15 +120,15 @@ def folder_or_table(relation: Any, session: Session) -> Any:
 
 
 def sourced(source: Any, session: Session) -> AnySource:
-    """Return a source as it was given, or what is meant by a relation alone: see :func:`looked_up`."""
+    """Return a source as it is, or the source that a relation alone means: see :func:`looked_up`."""
     return looked_up(source, session).source
 
 
 def looked_up(source: Any, session: Session) -> Guess:
-    """Return a source as it was given, or what is meant by a relation alone, its columns guessed.
+    """Return a source as it is, or the source that a relation alone means, with guessed columns.
 
-    That is a path, a list of paths, a folder, the name of a table, a data frame of pandas or polars, an
-    Arrow table, a relation of DuckDB, a table of Ibis, or a single signal
+    A relation is a path, a list of paths, a folder, the name of a table, a data frame of pandas or
+    polars, an Arrow table, a relation of DuckDB, a table of Ibis, or a single signal
     (:func:`gam_db.engines.frames.signal_table`).
 
     Raises:
@@ -151,7 +151,7 @@ def looked_up(source: Any, session: Session) -> Guess:
 
 
 class _Guesser:
-    """One guess under way: the columns that are still free, and what was found."""
+    """The state of a guess: the columns without a role so far, and the roles of the others."""
 
     def __init__(self, columns: Mapping[str, str], settings: SourceSettings, session: Session) -> None:
         self.columns = columns
@@ -232,7 +232,7 @@ class _Guesser:
         return self._take("value", weak)
 
     def _ask_about_texts(self, asset: str | None, channel: str | None) -> None:
-        """Text that nobody explained may name machines or signals; leaving it out would mix them."""
+        """Refuse columns of text that may name machines or signals; leaving them out would mix these."""
         is_wide = self.wide or "layout" in self.guessed
         open_roles = [
             role
@@ -262,7 +262,7 @@ class _Guesser:
         return column
 
     def _numeric(self) -> list[str]:
-        """Return what may hold readings: numbers, else truths, else texts if they were said to be."""
+        """Return the columns that may hold readings: numbers, else truths, else readable texts."""
         types, reads_words = self.types, self.settings.reads_words
         for holds in (types.is_numeric, types.is_truth, *([types.is_text] if reads_words else [])):
             if columns := [name for name in self.free if holds(self.columns[name])]:
@@ -271,7 +271,7 @@ class _Guesser:
 
     def _unclear(self, what: str, roles: Sequence[str]) -> SourceError:
         options = "; ".join(
-            f"say --{role} COLUMN" + (f", or {_NONE[role]}" if role in _NONE else "") for role in roles
+            f"give --{role} COLUMN" + (f", or {_NONE[role]}" if role in _NONE else "") for role in roles
         )
         shown = [f"{name} ({type_name})" for name, type_name in self.columns.items()]
         room = _LONGEST - len(what) - len(options)

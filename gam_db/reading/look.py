@@ -1,6 +1,6 @@
-"""The look before the work: are the columns there and of use, and which rows cannot be?
+"""Checks of a source before it is read: missing columns, columns of a wrong type, unusable rows.
 
-This module owns what is refused of a source (method, section 2) and says so in the user's words.
+This module decides which sources are refused (method, section 2), and words the errors for users.
 """
 
 import dataclasses
@@ -43,7 +43,9 @@ def resolved(source: AnySource, columns: dict[str, str], session: Session) -> An
             sentence = f"The relation has no column {column!r} for {role}"
             sentence += f" ({role}=None if there is only one)" if role in ("asset", "channel") else ""
             if isinstance(source, Source) and source.columns == Source("").columns:
-                sentence += "; name the columns, or give the relation itself, whose columns are guessed"
+                sentence += (
+                    "; name the columns, or pass the relation itself, so that gam-db guesses its columns"
+                )
             raise SourceError(f"{sentence}{nearest(column, columns, _NAMED)}")
         _check_type(role, column, columns[column], session, source.time_unit)
     return source
@@ -53,7 +55,7 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
     """Return how the source tells time, from the type of its time column.
 
     Raises:
-        SourceError: it tells none as it is stored, or it is not what the user declared.
+        SourceError: the column is not a time as it is stored, or not the kind that the user declared.
     """
     if (kind := session.engine.types.time_kind(columns[source.time])) is None:
         raise wrong("tells_no_time", column=source.time, type_name=columns[source.time], hint="")
@@ -66,12 +68,12 @@ def kind_of(source: AnySource, columns: dict[str, str], session: Session) -> Tim
 
 
 def check_rows(names: pa.Table, source: AnySource, ask: Callable[[], Undated], engine: Engine) -> None:
-    """Refuse a source with rows that belong nowhere.
+    """Refuse a source with rows that lack an asset, a channel or a time.
 
     Args:
         names: the step of that name.
         source: the source.
-        ask: returns which rows tell no time.
+        ask: returns the rows without a usable time.
         engine: that reads it.
 
     Raises:
@@ -96,12 +98,12 @@ def check_rows(names: pa.Table, source: AnySource, ask: Callable[[], Undated], e
 def nowhere(
     source: AnySource, nameless: Mapping[str, int], undated: Undated | None, engine: Engine
 ) -> tuple[str, str, str]:
-    """Return what is said of rows that belong nowhere, the condition that leaves them out, and advice.
+    """Return counts of rows that lack a name or time, the condition that leaves them out, and advice.
 
     Args:
         source: the source.
         nameless: how many rows lack an asset, a channel.
-        undated: the rows that tell no time; None for none.
+        undated: the rows without a usable time; None for none.
         engine: that reads it.
     """
     counts, conditions, advice = [], [], ""
@@ -131,7 +133,7 @@ def _check_type(role: str, column: str, type_name: str, session: Session, time_u
         if time_unit is not None and not counts:
             raise wrong("unit_of_no_number", column=column, type_name=type_name)
         if types.time_kind(type_name) is None and not is_read and not (counts and time_unit):
-            hint = "Say --time-unit (s, ms, us, ns) if it counts from 1970. " * counts
+            hint = "Give --time-unit (s, ms, us, ns) if it counts from 1970. " * counts
             raise wrong("tells_no_time", column=column, type_name=type_name, hint=hint)
     elif role in ("asset", "channel", "program"):
         if not types.is_name(type_name):

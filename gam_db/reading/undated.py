@@ -1,6 +1,6 @@
-"""Rows that tell no time: how many there are, why, and the condition that leaves them out.
+"""Rows without a usable time: how many there are, why, and the condition that leaves them out.
 
-This module owns what is asked of a source about that, and how it is said.
+This module owns the query that counts them, and its words.
 """
 
 import re
@@ -28,11 +28,11 @@ _HOUR = 3600 * SECOND
 
 @dataclass(frozen=True)
 class Undated:
-    """Rows of a source that tell no time; of local times also those that tell two.
+    """Rows of a source without a usable time; also rows whose local time means two instants.
 
     Attributes:
         absent: their time is NULL.
-        endless: it is there and is no instant: infinite, or 0000-00-00.
+        endless: it is set but is not an instant: infinite, or 0000-00-00.
         skipped: it is a local time that no clock of its zone shows, as clocks go forward.
         first_skipped, last_skipped: the first and the last such time, as integer time; None for none.
         twice: rows whose local time comes twice, as clocks go back; they are read.
@@ -47,16 +47,16 @@ class Undated:
 
     @property
     def count(self) -> int:
-        """How many rows tell no time."""
+        """How many rows have no usable time."""
         return self.absent + self.endless + self.skipped
 
     def causes(self, source: AnySource) -> str:
-        """Return why, in words."""
+        """Return the reasons, in words."""
         causes = []
         if self.absent:
             causes.append(f"{self.absent:,} NULL")
         if self.endless:
-            causes.append(f"{self.endless:,} an infinite time or no date of the calendar")
+            causes.append(f"{self.endless:,} an infinite time or a date that does not exist")
         if self.skipped:
             zone, (first, last) = source.source_time_zone, self._edges()
             causes.append(
@@ -66,7 +66,7 @@ class Undated:
         return ", ".join(causes)
 
     def advice(self, source: AnySource) -> str:
-        """Return what to say instead of a zone whose clocks do not skip these times."""
+        """Return the advice to set a zone whose clocks do not skip these times."""
         clock = clock_of(source)
         if not self.skipped or clock is None:
             return ""
@@ -74,8 +74,8 @@ class Undated:
         shift = next((piece.shift for piece in reversed(before) if piece.shift is not None), 0)
         name = "UTC" if shift == 0 else f"Etc/GMT{-shift // _HOUR:+d}"
         if shift % _HOUR:
-            return " A clock that keeps its time all year shows them: then say such a zone."
-        return f" A clock that keeps its time all year shows them: then say --source-time-zone {name}."
+            return " A clock without daylight saving shows them: then give such a zone."
+        return f" A clock without daylight saving shows them: then give --source-time-zone {name}."
 
     def condition(self, source: AnySource, engine: Engine) -> str:
         """Return the condition that leaves these rows out, as ``where`` takes it on an engine."""
@@ -103,7 +103,7 @@ class Undated:
 def undated(
     session: Session, source: AnySource, relation: exp.Expr, kind: TimeKind, among_all: bool = True
 ) -> Undated:
-    """Return how many rows of a source tell no time, and why.
+    """Return how many rows of a source have no usable time, and why.
 
     Args:
         session: an open session.

@@ -1,6 +1,6 @@
-"""Words that do not fit: which they are in a column, and what is said of them.
+"""Texts of a column that cannot be read as numbers or times, and the errors that name them.
 
-This module owns the search for values of which a conversion would drop a part, and the proposals of
+This module owns the search for values from which a conversion would drop a part. It also proposes
 options that read them.
 """
 
@@ -24,22 +24,22 @@ from gam_db.settings.form import (
 )
 from gam_db.settings.source import AnySource, is_file, parsed_condition, read_from
 
-#: Columns of which each gets an option in a message; of more, that would be no help.
+#: Most columns for which a message proposes an option each; with more, the options would not help.
 MOST_PROPOSED = 6
 
 
 @dataclass(frozen=True)
 class Misfits:
-    """The words of a column of text that have no meaning."""
+    """The words of a column of text that cannot be read."""
 
     session: Session
-    relation: exp.Expr  # what holds the column
+    relation: exp.Expr  # the relation that holds the column
     condition: exp.Expr  # the rows that count
     words: exp.Expr  # the column, without words that mean a missing value
-    meant: exp.Expr  # the same as a number or a time, NULL where it is none
+    meant: exp.Expr  # the words as numbers or times; NULL where they cannot be read
 
     def first(self) -> list[Row]:
-        """Return the first of them, see ``sql/source/misfits.sql``; a pass that counts goes before."""
+        """Return the first misfits, see ``sql/source/misfits.sql``; a counting pass runs first."""
         ((count,),) = (row.values() for row in self.session.rows(self._filled("source/misfit_count")))
         return self.session.rows(self._filled("source/misfits", most=LOOKED_AT)) if count else []
 
@@ -61,7 +61,7 @@ def but_nulls(column: exp.Expr, nulls: Sequence[str] | None) -> exp.Expr:
 def suspects(
     session: Session, source: AnySource, columns: Mapping[str, str], stored: exp.Expr
 ) -> list[Callable[[], None]]:
-    """Return what looks for values that are not whole, column by column, once a statement met one."""
+    """Return a check per column that finds values that are not whole, once a statement met one."""
     engine, types = session.engine, session.engine.types
     if not engine.whole:
         return []
@@ -82,7 +82,7 @@ def suspects(
 def _look_at_words(
     session: Session, source: AnySource, name: str, type_name: str, what: str, stored: exp.Expr
 ) -> None:
-    """Refuse a column that holds values which are not whole, if it does."""
+    """Refuse a column if it holds values that are not whole."""
     column, engine = template.column(name), session.engine
     rules = [formula(engine.whole[what], word=column)]
     if what == "time" and "word" in engine.whole:
@@ -95,7 +95,11 @@ def _look_at_words(
     first = misfits[0]
     nulls = [row["word"] for row in misfits if not any(map(str.isdigit, row["word"]))][:MOST_PROPOSED]
     options = " ".join(map(options_for_null, nulls)) if what == "number" else ""
-    hint = f"{options} would take them for missing values; mend what is none" if options else "mend them"
+    hint = (
+        (f"{options} would take them for missing values; correct the others")
+        if options
+        else "correct them"
+    )
     wanted = {"count": "integers", "truth": "0 or 1", "time": "times in ISO 8601"}.get(what, "numbers")
     raise wrong(
         "words_among_numbers",
@@ -111,7 +115,7 @@ def _look_at_words(
 
 
 def ways_of(source: AnySource, misfits: list[Row], misread: Callable[[str], Misfits]) -> list[str]:
-    """Return the formats by which all words of a column are times, none where a format was said."""
+    """Return the formats by which all words of a column are times; none if the source has a format."""
     if source.time_format is not None:
         return []
     return [
@@ -120,7 +124,7 @@ def ways_of(source: AnySource, misfits: list[Row], misread: Callable[[str], Misf
 
 
 def check_numbers(source: AnySource, name: str, type_name: str, misfits: list[Row]) -> None:
-    """Refuse a column of text that was not said to hold numbers, or holds other words, too."""
+    """Refuse a column of text without settings that make it numbers, or with words that do not fit."""
     if source.reads_words and not misfits:
         return
     role = "value" if name == getattr(source, "value", None) else "channel"
@@ -139,13 +143,13 @@ def check_numbers(source: AnySource, name: str, type_name: str, misfits: list[Ro
 
 
 def no_times(source: AnySource, misfits: list[Row], ways: Sequence[str]) -> UserError:
-    """Return what is said of words that are no times in ISO 8601, or as was said."""
+    """Return the error on words that are not times in ISO 8601, or in the format of the source."""
     check_header(source, source.time, misfits)
     wanted = f"a time like {source.time_format!r}" if source.time_format else "a time in ISO 8601"
     proposed = " or ".join(f"--time-format {way!r}" for way in ways[:4])
-    hint = f"{proposed} would read them" if ways else "say --time-format, or --null for what is none"
+    hint = f"{proposed} would read them" if ways else "give --time-format, or --null for a missing time"
     if len(ways) > 1:
-        hint += ": say which is meant"
+        hint += ": choose one"
     sentence = f"{first_of(misfits)}; {hint}"
     return wrong("texts_are_no_times", time=source.time, wanted=wanted, said=sentence)
 
@@ -157,15 +161,15 @@ def check_header(source: AnySource, name: str, misfits: list[Row]) -> None:
         columns = [source.time, *source.value_columns]
         condition = f"{template.column(source.time).sql('duckdb')} IS NOT NULL"
         options = " ".join([*map(options_for_null, columns), "--where", shlex.quote(condition)])
-        otherwise = f", or say {options}" if len(columns) <= MOST_PROPOSED else ""
+        otherwise = f", or give {options}" if len(columns) <= MOST_PROPOSED else ""
         raise wrong("header_repeated", count=repeated, name=name, otherwise=otherwise)
 
 
 def first_of(misfits: list[Row]) -> str:
-    """Return the first word that did not fit, and how many there are like it."""
+    """Return the first word that does not fit, and how often it occurs."""
     first = misfits[0]
     same = f", {first['of_word']:,} times" if first["of_word"] > 1 else ""
     return (
-        f"{first['of_all']:,} of {first['texts']:,} words do not fit, the first is "
+        f"{first['of_all']:,} of {first['texts']:,} values do not fit, the first is "
         f"{shortened(first['word'])}{same}"
     )

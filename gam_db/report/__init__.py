@@ -1,6 +1,6 @@
-"""The page for people who look: what the tables of a monitor know, in one HTML file.
+"""The HTML page of a monitor for people: the content of its tables in one file.
 
-This module owns what may be wished, what is asked, the order of signals, and the file.
+This module owns the settings of the page, its queries, the order of signals, and the file.
 """
 
 import base64
@@ -35,26 +35,26 @@ from gam_db.version import __version__
 
 __all__ = ["Wishes", "page", "write"]
 
-#: New is what left health within a day of the newest data, or within its last three windows.
+#: A signal is new if its onset is within a day of the newest data, or within its last three windows.
 DAY = 86_400 * SECOND
 
-#: Above so many signals a page gets fewer columns, and above the last one it is refused.
+#: Columns of a page, fewer above MANY signals; with more than MOST signals a page is refused.
 ALL_COLUMNS, FEW_COLUMNS, MANY, MOST = 240, 120, 10_000, 40_000
 
-#: Episodes in a page at most, and what is told of each, as the view calls it.
+#: Most episodes of a page, and the fields of each, with their names in the view.
 MOST_ALARMS = 2000
 _OF_ALARM = {name: name for name in ("status", "label", "note", "evidence", "height")}
 _OF_ALARM |= {"id": "episode_id", "proving": "is_proving"}
 
-#: What is told of each machine, as the view calls it.
+#: The fields of each machine, with their names in the view.
 _OF_MACHINE = {name: name for name in ("asset", "signals", "watched", "judged", "above", "together")}
 _OF_MACHINE |= {"notJudged": "not_judged", "notWatched": "not_watched", "first": "first_channel"}
 _OF_MACHINE |= {"strongest": "strongest_channel", "strength": "strength"}
 
-#: What is told of each data problem.
+#: The fields of each data problem.
 _OF_PROBLEM = ("kind", "asset", "channel", "sentence", "advice")
 
-#: A place of the frame that is filled.
+#: A slot of the HTML frame.
 _PLACE = re.compile(r"\{\{([a-z-]+)\}\}")
 
 
@@ -72,7 +72,7 @@ _INSTANT = Kind(lambda _, name, moment: _instant(name, moment), read=_instant)
 @declared
 @dataclass(frozen=True)
 class Wishes:
-    """What the page is to hold.
+    """The settings of the page.
 
     Raises:
         ConfigurationError: there is no such time zone, or another value cannot be used.
@@ -94,7 +94,7 @@ class Wishes:
 
 @dataclass(frozen=True)
 class Lacking:
-    """How many signals are watched (None where that is not known), and what is wrong with the data.
+    """How many signals are watched (None where that is not known), and the problems of the data.
 
     A problem has kind, asset, channel, sentence and advice; see :meth:`gam_db.Monitor.data_problems`.
     """
@@ -113,17 +113,17 @@ def write(
     on_step: Listener = unheard,
     lacking: Lacking = Lacking(),
 ) -> Row:
-    """Write the page of a monitor as one HTML file, which needs nothing else and replaces what is there.
+    """Write the page of a monitor as one self-contained HTML file; replace an existing file.
 
-    Without a source of its telemetry, raw readings are left out. What its data lacks stands apart from
-    what its machines do.
+    Without a source of its telemetry, the page has no raw readings. It shows data problems apart from
+    the states of machines.
 
     Returns:
-        Figures: path, bytes, machines, signals, details, above, new, and raw: why raw readings are not
-        in it, or None.
+        Figures: path, bytes, machines, signals, details, above, new, and raw: why the page has no raw
+        readings, or None.
 
     Raises:
-        UserError: there is no such monitor, no signal of it is chosen, or the file cannot be written.
+        UserError: there is no such monitor, the patterns match no signal, or the file cannot be written.
     """
     wishes = wishes or Wishes()
     path = Path(path)
@@ -200,7 +200,7 @@ def write(
 
 
 def page(data: Row, title: str, script: str | None = None) -> str:
-    """Return the HTML file around the data; its policy lets nothing run but its own script and style.
+    """Return the HTML file around the data; its policy allows only its own script and style.
 
     Another script may be given than that which comes with gam-db.
     """
@@ -268,7 +268,7 @@ def _is_new(row: Row, course: dict[str, NDArray[Any]], kind: TimeKind, newest: i
 
 
 def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
-    """Return the machines of the signals, the one to be looked at first being first."""
+    """Return the machines of the signals, the most urgent first."""
     shown = {row["asset"] for row in signals}
     return [
         {
@@ -282,7 +282,7 @@ def _machines(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
 
 
 def _validity(state: Reads, monitor: str) -> Row | None:
-    """Return how many readings the newest run held to valid_when, and how many did not meet it."""
+    """Return how many readings the newest run checked by valid_when, and how many did not meet it."""
     rows = state.rows("stored/state/validity", {"monitor": template.text(monitor)})
     return rows[0] if rows else None
 
@@ -305,7 +305,7 @@ def _alarms(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[str, lis
 
 
 def _episodes(state: Reads, monitor: str, signals: Sequence[Row]) -> list[Row]:
-    """Return the episodes of the signals, but for those that are a part of another."""
+    """Return the episodes of the signals, without those that were merged into another."""
     named = {(row["asset"], row["channel"]) for row in signals}
     rows = state.rows("report/alarms", {"monitor": template.text(monitor)})
     return [row for row in rows if (row["asset"], row["channel"]) in named]

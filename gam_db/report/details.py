@@ -31,7 +31,7 @@ _ENDS = ("value_from", "value_to")
 
 
 class Reads(Protocol):
-    """What reads the tables of a monitor."""
+    """A reader of the tables of a monitor."""
 
     @property
     def session(self) -> Session:
@@ -45,7 +45,7 @@ class Reads(Protocol):
 
 
 def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Row]:
-    """Return the signals in detail: those named, then the most urgent, spread over machines."""
+    """Return the signals to show in detail: named ones, then the most urgent, spread over machines."""
     by_name = {f"{row['asset']}/{row['channel']}": row for row in signals}
     for name in named:
         if name not in by_name:
@@ -72,7 +72,7 @@ def chosen(signals: Sequence[Row], number: int, named: Iterable[str]) -> list[Ro
 def read(
     session: Session, source: AnySource, signals: Sequence[Row], courses: Sequence[Any], end: int
 ) -> tuple[dict[int, Row], dict[int, Row]]:
-    """Return, by number of the signal, its envelope and its two pieces, up to an end.
+    """Return the envelope and the two pieces of each signal, by its number, up to an end.
 
     Courses are the buckets of each signal.
     """
@@ -157,7 +157,7 @@ def _pieces(rows: pa.Table, many: int) -> dict[int, Row]:
 
 
 def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str, str], Row]:
-    """Return how many states are known by when, of each of the signals."""
+    """Return the number of known states over time, for each of the signals."""
     if not signals:
         return {}
     names = {of: sorted({row[of] for row in signals}) for of in ("asset", "channel")}
@@ -183,7 +183,7 @@ def growth(state: Reads, monitor: str, signals: Sequence[Row]) -> dict[tuple[str
 
 
 def cells(state: Reads, signals: Sequence[Row], raw: bool) -> dict[int, Row]:
-    """Return by version the states visited most, on at most three axes, and the floor by grid.
+    """Return the most visited states by version, on at most three axes, and the floor by grid.
 
     Values in units of the signals are in it only if raw readings may be.
     """
@@ -238,7 +238,7 @@ def _cells(rows: pa.Table, axes: int) -> Row:
 
 
 def detail(state: Reads, row: Row, course: Any, raw: tuple[Row, Row] | None) -> Row:
-    """Return all that the page shows of one signal, but for its states and their growth.
+    """Return the content of the page of one signal, except its states and their growth.
 
     ``raw`` is its envelope and its pieces; None where raw readings are left out.
     """
@@ -278,7 +278,7 @@ def _program_numbers(state: Reads, row: Row) -> dict[str | None, int] | None:
 
 
 def summary(row: Mapping[str, Any], raw: bool) -> Row:
-    """Return what the list says of a signal; its calibrated range only if raw readings may be in it."""
+    """Return the fields of a signal in the list; its calibrated range only with raw readings."""
     before, novel = row["novel_window_before"], row["novel_in_window"]
     return {
         **{name: row[of] for name, of in _LISTED.items()},

@@ -1,6 +1,6 @@
-"""A small simulated plant in which every kind of change occurs, to look at a page of.
+"""A small simulated plant with every kind of change, for an example of the page.
 
-This module owns what its machines do. It is an illustration, and no evidence for anything.
+This module owns the behaviour of its machines. The plant is an illustration, not evidence.
 """
 
 import datetime as dt
@@ -23,7 +23,7 @@ TIME_ZONE = "Europe/Berlin"
 
 _PLANT = data.table("gam_db.report", "plant.toml")
 
-#: When the page of it says that it was made: the morning after the last reading.
+#: The time of its page: the morning after the last reading.
 END = START + dt.timedelta(days=DAYS, hours=5)
 
 

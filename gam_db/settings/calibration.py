@@ -1,6 +1,6 @@
 """Calibration: when each channel is known to be healthy, and which channels learn together.
 
-This module owns the rules a user can give and their arithmetic on closed intervals. It knows no SQL.
+This module owns the rules that users can set, and arithmetic on closed intervals. It contains no SQL.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -139,7 +139,7 @@ class Calibration:
 
     @property
     def teachers(self) -> tuple[str, ...]:
-        """The asset patterns that are named as healthy: by an override with a rule, or as reference."""
+        """The patterns of healthy assets: of overrides with a rule, and of ``reference``."""
         named = [name for name, rule in self.overrides.items() if rule and rule.intervals != ()]
         return (*named, *self.reference)
 
@@ -147,8 +147,8 @@ class Calibration:
     def cases(self) -> tuple[tuple[str, "Calibration | None"], ...]:
         """Asset patterns with the rule of each; the first that matches applies, else the general rule.
 
-        The members of a pool of which an override or ``reference`` names some have no rule, but for
-        those. Which machines there are does not matter: a name that fits none lets nobody else teach.
+        If an override or ``reference`` names some members of a pool, the other members have no rule.
+        Existing machines do not matter: with a name that matches none, no other member teaches.
         """
         named = [*self.overrides.items(), *((pattern, self) for pattern in self.reference)]
         cases: dict[str, Calibration | None] = {}
@@ -170,13 +170,13 @@ WAYS = ("fraction", "duration", "intervals")
 
 @dataclass(frozen=True)
 class Rule:
-    """A calibration rule in integers: what the steps rules and declared are filled with."""
+    """A calibration rule in integers, for the slots of the steps *rules* and *declared*."""
 
     #: At most one of the first three is not None; none: no calibration of its own.
     fraction: float | None = None
     duration: int | None = None
     declared_end: int | None = None
-    score_from: int | None = None  # first instant to be scored, where given
+    score_from: int | None = None  # first instant to score; None for the default
     allowed: tuple[Interval, ...] = ()  # disjoint closed intervals, ascending, exclusions taken out
 
 
@@ -184,8 +184,8 @@ def resolve(calibration: Calibration, kind: TimeKind) -> list[Rule]:
     """Return the rules in integers: the general one, then one per case of :attr:`Calibration.cases`.
 
     Raises:
-        CalibrationError: an instant or a length does not fit the way the source tells time, or an
-            interval ends before it begins.
+        CalibrationError: an instant or a length does not fit the time of the source, or an interval
+            ends before it begins.
     """
     try:
         return [
@@ -241,7 +241,7 @@ def merge(intervals: Sequence[Interval]) -> list[Interval]:
 
 
 def subtract(intervals: Sequence[Interval], excluded: Sequence[Interval]) -> list[Interval]:
-    """Return what is left of disjoint closed intervals of integers without the excluded ones."""
+    """Return disjoint closed intervals of integers without the excluded ones."""
     left = list(intervals)
     for cut_from, cut_to in merge(excluded):
         left = [
@@ -254,11 +254,11 @@ def subtract(intervals: Sequence[Interval], excluded: Sequence[Interval]) -> lis
 
 
 def closed(name: str, intervals: Sequence[tuple[Instant, Instant]], kind: TimeKind) -> list[Interval]:
-    """Return intervals as closed ones of integers.
+    """Return intervals as closed intervals of integers.
 
     Raises:
-        CalibrationError: one ends before it begins.
-        ParameterError: an end of one is no instant.
+        CalibrationError: an interval ends before it begins.
+        ParameterError: a start or end is not an instant.
     """
     pairs = []
     for number, (start, end) in enumerate(intervals, start=1):

@@ -1,6 +1,6 @@
 """Parameters of the method, and overrides for some assets or channels.
 
-This module owns what a parameter may be. It knows no SQL and no source.
+This module owns the bounds of parameters. It contains no SQL and reads no source.
 """
 
 import dataclasses
@@ -31,28 +31,28 @@ from gam_db.settings.setting import (
 
 LARGEST_BINS = 2**31
 LONGEST_STRIDE = 100
-"""Vectors of a bucket at most, where nothing is asked for."""
+"""Most vectors of a bucket by default."""
 
 LARGEST_KEY = 2**63 - 1
 
 LEAST_VECTORS = 400
-"""Of fewer a floor promises little: docs/decisions.md has the figures."""
+"""Least vectors of calibration for a meaningful floor: docs/decisions.md has the figures."""
 
 ROBUST, MIN_MAX = RANGES = ("robust", "min_max")
-"""What the calibrated range is made of: all values but a few far from the rest, or all (the paper)."""
+"""The values of the calibrated range: all but a few far from the rest, or all (the paper)."""
 
 AUTO = "auto"
 RUNGS = (128, 64, 32, 16, 8)
 """Grids to choose from where bins is "auto". Each is half of the one before, and for powers of two a
-grid of so many bins is that rung of the ladder to the last bit; fewer tell little but high from low."""
+grid of so many bins equals that rung of the ladder bit by bit; fewer tell little but high from low."""
 
 
 @dataclass(frozen=True, init=False)
 class Override:
     """Other parameters for the channels that a pattern names.
 
-    In a pattern ``*`` stands for any text and ``?`` for one character; everything else is meant as
-    written. The first override that matches a channel is the one that applies.
+    In a pattern ``*`` stands for any text and ``?`` for one character; all other characters stand
+    for themselves. The first override that matches a channel is the one that applies.
 
     Args:
         asset, channel: patterns; both must match.
@@ -155,7 +155,7 @@ class Parameters:
     PAPER: ClassVar[Mapping[str, Any]] = MappingProxyType(
         {"m": 3, "tau": 1, "bins": 100, "window": 5000, "stride": None, "range": MIN_MAX}
     )
-    """What the paper sets."""
+    """The settings of the paper."""
 
     def __post_init__(self) -> None:
         check(self)
@@ -187,7 +187,7 @@ class Parameters:
 
     @property
     def grid(self) -> int:
-        """The bins; where they are to be chosen, the finest for which cell keys have room."""
+        """The bins; if calibration chooses them, the finest grid for which cell keys have room."""
         if self.bins != AUTO:
             bins: int = self.bins
             return bins
@@ -195,12 +195,12 @@ class Parameters:
 
     @property
     def is_open(self) -> bool:
-        """Tell whether calibration is to choose some settings of some channels."""
+        """Whether calibration chooses some settings of some channels."""
         return any(setting.open_settings for setting in self.variants())
 
     @property
     def open_settings(self) -> tuple[str, ...]:
-        """The settings that calibration is to choose, overrides left aside."""
+        """The settings that calibration chooses, without those of overrides."""
         return tuple(name for name in OPENABLE if getattr(self, name) == AUTO)
 
     @property
@@ -211,7 +211,7 @@ class Parameters:
 
     @property
     def reach(self) -> int:
-        """The samples before a vector's newest one that decide what it is: its own, and stillness."""
+        """How many samples before a vector's newest one decide its cell: its own, and stillness."""
         return self.span + (0 if self.still_after is None else self.still_after - 1)
 
     @property
@@ -220,7 +220,7 @@ class Parameters:
         return math.gcd(self.window, LONGEST_STRIDE) if self.stride is None else self.stride
 
     def changed_by(self, override: Override) -> "Parameters":
-        """Return these parameters with one override applied and none left.
+        """Return these parameters with one override applied and the others removed.
 
         Raises:
             ParameterError: the result is out of range; the message names the override.

@@ -255,8 +255,8 @@ def _monitor(state: State, study: Study, name: str, keys: dict[str, int]) -> Row
         if row["name"] == name:
             if row["time_kind"] != kind:
                 raise CalibrationError(
-                    f"The monitor {name!r} watches a source whose time is a {row['time_kind']}; that of "
-                    f"this source is a {kind}. Give the monitor of this source another name."
+                    f"The monitor {name!r} watches a source whose time is a {row['time_kind']}; this "
+                    f"source's time is a {kind}. Give the monitor of this source another name."
                 )
             return row
     number = 1 + max((row["monitor_id"] for row in rows), default=0)

@@ -118,8 +118,7 @@ def prune(
     migrations.require(state.session, state.tables)
     if dry_run and not state.session.transactions:
         raise EngineError(
-            f"{state.session.engine.title} has no transaction that could be undone; leave out the dry "
-            "run."
+            f"{state.session.engine.title} has no transactions to undo; leave out the dry run."
         )
     monitor_row = state.monitor(monitor)
     kind = kind_of(monitor_row)

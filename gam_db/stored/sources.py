@@ -50,13 +50,14 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
 
     Raises:
         ConfigurationError: it was made from an Arrow table, and no relation is given.
-        StateError: its row says nothing that gam-db writes.
+        StateError: its row holds something that gam-db does not write.
     """
     original, written = _parted(monitor["source"])
     relation = original if relation is None else relation
     if isinstance(relation, str) and relation == _OBJECT:
         raise ConfigurationError(
-            f"The monitor {monitor['name']!r} was made from an Arrow table, which is not kept; name its "
+            f"The monitor {monitor['name']!r} was made from an Arrow table, which is not stored; "
+            "name its "
             "source."
         )
     arguments = {
@@ -68,7 +69,7 @@ def source_of(monitor: Mapping[str, Any], channels: Sequence[str], relation: Any
     if monitor["layout"] not in ("long", "wide"):
         raise StateError(
             f"The row of the monitor {monitor['name']!r} was changed by hand: its layout is "
-            f"{monitor['layout']!r}, neither long nor wide. Put it back from a copy of the database."
+            f"{monitor['layout']!r}, neither long nor wide. Restore it from a copy of the database."
         )
     if monitor["layout"] == "wide":
         return WideSource(relation, channels=sorted(set(channels)) or None, **arguments)

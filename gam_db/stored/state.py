@@ -93,7 +93,7 @@ class State:
         """Return a monitor by its name.
 
         Raises:
-            ConfigurationError: there is none of that name.
+            ConfigurationError: no monitor has that name.
         """
         monitors = self.monitors()
         for row in monitors:
@@ -138,8 +138,8 @@ class State:
             keys.update(self.keys())
             if self.rows("stored/state/doubled"):
                 raise EngineError(
-                    f"Another process wrote to {self.tables}* at the same time, and some channels are "
-                    "there twice. Remove the monitor (`gam drop --monitor`), and calibrate it again, "
+                    f"Another process wrote to {self.tables}* at the same time, and some channels "
+                    "occur twice. Remove the monitor (`gam drop --monitor`), and calibrate it again, "
                     "one process at a time."
                 )
 
@@ -183,5 +183,5 @@ def kind_of(monitor: Mapping[str, Any]) -> TimeKind:
     except ValueError as error:
         raise StateError(
             f"The row of the monitor {monitor['name']!r} was changed by hand: there is no kind of time "
-            f"{monitor['time_kind']!r}. Put it back from a copy of the database."
+            f"{monitor['time_kind']!r}. Restore it from a copy of the database."
         ) from error

@@ -295,7 +295,7 @@ def test_a_calibration_of_instants_lasts_from_the_first_to_the_last_sample() -> 
 
 def test_a_counter_has_no_days() -> None:
     source, parameters, calibration, _ = asked(windows([0]))
-    with pytest.raises(ParameterError, match="counts time in integers; give it in judgements"):
+    with pytest.raises(ParameterError, match="counts time in integers; give the rate per judgements"):
         gam_db.limits(source, parameters, calibration, gam_db.Alarms("1 per month"))
     (limit,) = gam_db.limits(source, parameters, calibration).to_pylist()
     assert limit["rate"] == 0.0005, "what is asked where nothing is said"

@@ -35,12 +35,12 @@ def test_calibration_that_does_not_fit_a_counter(calibration: Calibration, messa
 def test_calibration_that_does_not_fit_a_calendar() -> None:
     source = timed(pa.array(MICROS, pa.timestamp("us")))
     refused(
-        "start of intervals 1 is 0, but the source tells time by timestamps",
+        "start of intervals 1 is 0, but the time of the source is a timestamp",
         lambda: support(source, Calibration(intervals=[(0, 5)])),
         CalibrationError,
     )
     refused(
-        "max_gap is '5', which is no length of time; .* with a unit",
+        "max_gap is '5', which is not a length of time; .* with a unit",
         lambda: health(source, Parameters(max_gap="5")),
         ParameterError,
     )

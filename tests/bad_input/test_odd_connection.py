@@ -94,7 +94,7 @@ def test_another_time_zone_gives_the_same_integers(kind: str, zone: str) -> None
 @pytest.mark.parametrize(
     ("setting", "message"),
     [
-        ("SET default_order = 'DESC'", "default_order = DESC, which would turn time around"),
+        ("SET default_order = 'DESC'", "default_order = DESC, which would reverse the order of time"),
         ("SET default_collation = 'NOCASE'", "default_collation = NOCASE, under which different names"),
     ],
 )

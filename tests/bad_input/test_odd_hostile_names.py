@@ -137,10 +137,10 @@ def test_paths_of_tables(relation: Any) -> None:
         ((), "one to three parts"),
         (("a", "b", "c", "d"), "one to three parts"),
         (("telemetry", ""), "one to three parts"),
-        (None, "A NoneType is no source; it takes the name of a table, the path"),
-        (5, "A int is no source; it takes"),
-        (b"telemetry", "A bytes is no source; it takes"),
-        ({"time": [1]}, "A dict is no source; it takes"),
+        (None, "A NoneType is not a source; a source is the name of a table, the path"),
+        (5, "A int is not a source; a source is"),
+        (b"telemetry", "A bytes is not a source; a source is"),
+        ({"time": [1]}, "A dict is not a source; a source is"),
     ],
 )
 def test_a_relation_that_is_none(relation: Any, message: str) -> None:

@@ -89,7 +89,7 @@ def test_an_empty_source_is_refused(call: Callable[..., object]) -> None:
     ],
 )
 def test_too_many_cells_are_refused_with_the_largest_m(bins: int, m: int, fitting: int) -> None:
-    refused(f"take m <= {fitting}, or fewer bins", lambda: Parameters(bins=bins, m=m), ParameterError)
+    refused(f"use m <= {fitting}, or fewer bins", lambda: Parameters(bins=bins, m=m), ParameterError)
     assert Parameters(bins=bins, m=fitting).radix ** fitting < 2**63
 
 
@@ -111,12 +111,12 @@ def test_too_many_cells_are_refused_with_the_largest_m(bins: int, m: int, fittin
         ({"max_gap": math.nan}, "max_gap is nan; it must be positive"),
         ({"max_gap": "0 s"}, "max_gap is '0 s'; it must be positive"),
         ({"max_gap": dt.timedelta(0)}, "must be positive"),
-        ({"max_gap": "five"}, "max_gap is 'five', which is no length of time"),
+        ({"max_gap": "five"}, "max_gap is 'five', which is not a length of time"),
         ({"max_gap": True}, "max_gap is True; give a number, a timedelta or a text"),
         ({"max_gap": [5]}, "give a number, a timedelta or a text"),
-        ({"target_floor": 1.5}, "target_floor is 1.5; it is a share"),
-        ({"target_floor": math.nan}, "target_floor is nan; it is a share"),
-        ({"target_floor": "5 %"}, "it is a share, 0 to 1, e.g. 0.05"),
+        ({"target_floor": 1.5}, "target_floor is 1.5; it must be a share"),
+        ({"target_floor": math.nan}, "target_floor is nan; it must be a share"),
+        ({"target_floor": "5 %"}, "it must be a share, 0 to 1, such as 0.05"),
         ({"overrides": Override(m=2)}, "it takes a list of gam_db.Override"),
         ({"overrides": [{"m": 2}]}, "overrides holds a dict"),
         ({"overrides": [Override(asset=5, m=2)]}, "asset of an override is 5"),  # type: ignore[arg-type]

@@ -82,7 +82,7 @@ def test_where_comes_before_everything_else(where: str, kept: list[int]) -> None
 def test_where_is_one_condition(where: Any) -> None:
     connection = database(USUAL)
     refused(
-        "where is .* not a condition in SQL; write what would stand after WHERE",
+        "where is .* not a condition in SQL; write the text that follows WHERE",
         lambda: support(Source("t", where=where), engine=connection),
     )
     assert connection.execute("SELECT COUNT(*) FROM t").fetchall() == [(10,)]
@@ -94,7 +94,7 @@ def test_where_is_one_condition(where: Any) -> None:
         ("tme < 6", 'where is .tme < 6.*column "tme" not found'),
         ("SUM(value) > 1", "where is .*aggregates"),
         ("no_such(value)", "where is .*no_such"),
-        ("CAST(asset AS INTEGER) > 3", "where= may ask for it"),
+        ("CAST(asset AS INTEGER) > 3", "where= may also convert it"),
     ],
 )
 def test_where_that_the_engine_refuses(where: str, message: str) -> None:

@@ -185,7 +185,7 @@ def test_constant_channels() -> None:
 def test_a_channel_that_moves_only_after_calibration() -> None:
     found = said(table(np.r_[np.full(300, 4.5), wave(700)]), SHORT, Calibration())
     assert "not assessable" in found["constant_in_calibration"].text
-    assert found["still"].text.startswith("one and the same value for 30 %")
+    assert found["still"].text.startswith("the same value without a break for 30 %")
     assert figures(table(np.r_[np.full(300, 4.5), wave(700)]))["longest_still"] == 300
 
 
@@ -197,9 +197,9 @@ def test_a_channel_without_any_value() -> None:
 
 
 def test_counters_with_and_without_resets() -> None:
-    assert said(table(np.arange(600.0)))["counter"].text.startswith("only ever rises: a counter")
+    assert said(table(np.arange(600.0)))["counter"].text.startswith("only rises: is it a counter")
     reset = said(table(np.arange(600.0) % 290))["counter"]
-    assert reset.text.startswith("only ever rises, but for 2 falls (resets)")
+    assert reset.text.startswith("only rises, but for 2 falls (resets)")
     assert "counter" not in said(table(wave(600)))
 
 
@@ -257,7 +257,7 @@ def test_calibration_that_holds_nothing() -> None:
 
 def test_a_window_shorter_than_the_cycle() -> None:
     found = said(table(wave(4000, 40)), Parameters(window=150))
-    assert "5 cycles of about 40 samples; take --window 200" in found["short_window"].text
+    assert "5 cycles of about 40 samples; use --window 200" in found["short_window"].text
     assert "short_window" not in said(table(wave(4000, 40)), Parameters(window=200))
 
 

@@ -78,7 +78,7 @@ def test_what_check_prints() -> None:
     assert len(row) <= len(heading) <= 100
     assert " ".join(row.split()) == "! j1 4,000 1 s 1 0.025 % -1.001 1.001 3,999 - 20"
     said = flat(result)
-    assert "! j1: too few samples for a window beside calibration (4,000 in all, 800 of" in said
+    assert "! j1: too few samples for a window outside calibration (4,000 in all, 800 in" in said
     assert "- j1: 1 pause of 91 s (usual step 1 s)" in said
     assert "1 point marked ! must be fixed" in said
     assert 'to be set: max_gap = "5 s"; window = 99 (an eighth of the calibration' in said
@@ -97,7 +97,7 @@ def test_check_counts_rows_that_run_refuses() -> None:
     source = saved(asset=["R1"] * 3990 + [None] * 10)
     result = gam("check", source, "--window", "100")
     assert result.exit_code == 2
-    assert "! rows that belong nowhere: 10 without asset" in flat(result)
+    assert "! rows without an asset, channel or time: 10 without asset" in flat(result)
     assert "--where 'asset IS NOT NULL'" in flat(result)
     assert gam("run", source, "--window", "100", "--no-out").exit_code == 1
     mended = gam("check", source, "--window", "100", "--where", '"asset" IS NOT NULL')
@@ -215,7 +215,9 @@ def test_init_says_what_must_be_fixed() -> None:
     result = gam("init", saved(asset=["R1"] * 3990 + [None] * 10))
     assert result.exit_code == 2
     assert "1 to be fixed first" in result.stdout
-    assert "# MUST BE FIXED: rows that belong nowhere: 10 without asset" in Path("gam.toml").read_text()
+    assert ("# MUST BE FIXED: rows without an asset, channel or time: 10 without asset") in Path(
+        "gam.toml"
+    ).read_text()
 
 
 def test_options_given_to_init_are_kept() -> None:

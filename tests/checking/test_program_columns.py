@@ -87,7 +87,7 @@ def test_what_each_channel_runs_is_counted(stored: tuple[exp.Table, Session]) ->
     said = texts(look)
     (lacking,) = (note for note in notes(look, propose(look)) if note.subject == "program_lacking")
     assert lacking.channels == (("b", "x"), ("b", "y"))
-    assert "nothing of program s, of which 50 readings come later" in lacking.text
+    assert "no reading of program s, which has 50 later readings" in lacking.text
     assert not {"program_column", "program_unnamed", "programs_lacking"} & said.keys()
 
 
@@ -225,7 +225,8 @@ def test_of_many_programs_that_calibration_lacks_ten_are_named() -> None:
     said = texts(looked(plant(product=product), program="product"))
     assert len(said["program_lacking"]) == 10
     assert said["programs_lacking"] == [
-        "calibration holds nothing of 10 further programs, which come later: they are not judged"
+        "calibration contains no reading of 10 further programs, which run later: their readings "
+        "are not judged"
     ]
 
 

@@ -85,5 +85,5 @@ def test_a_script_that_reads_nothing_takes_numbers() -> None:
     said = gam("compile", "plant.csv", "--tau", "auto", "--bins", "auto")
     assert said.exit_code == 1
     words = " ".join(said.stderr.split())
-    assert "Calibration chooses --tau and --bins where telemetry is read" in words
-    assert "give --tau and --bins, or calibrate first, or --paper." in words
+    assert "Calibration chooses --tau and --bins from telemetry" in words
+    assert "give --tau and --bins, or calibrate first, or give --paper." in words

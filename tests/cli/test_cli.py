@@ -107,7 +107,7 @@ def test_few_vectors_are_not_ready_unless_that_is_asked_for() -> None:
         result = gam_process("run", source, *SMALL, *words, "--no-out")
         assert result.returncode == code, result.stdout
         assert f"verdicts: 1 {verdict}\n" in result.stdout
-        advised = "calibration too short, it takes about 50 more vectors" in result.stdout
+        advised = "calibration too short; it needs about 50 more vectors" in result.stdout
         assert advised == (not words)
     assert "say a longer healthy part" in gam_process("run", source, *SMALL, "--no-out").stdout
 

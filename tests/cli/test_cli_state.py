@@ -135,8 +135,8 @@ def test_what_is_wrong_with_the_data_is_summed_up() -> None:
     assert result.exit_code == 2, "a machine comes before data"
     assert "3 of 4 channels watched" in said
     assert "data problems: 3" in said
-    assert "- late: R3 j1: at least 4 rows came later than lookback, after 20" in said
-    assert "- calibration changed: R3 j1: 1 row came into the calibration of version 1" in said
+    assert "- late: R3 j1: at least 4 rows arrived later than lookback, after 20" in said
+    assert "- calibration changed: R3 j1: 1 row entered the calibration of version 1" in said
     assert re.search(
         r"- silent: R3 j1: nothing since 20\S+ \S+ UTC, 3.47 d behind the newest data", said
     )
@@ -185,7 +185,7 @@ def test_a_fleet_that_sends_nothing_does_not_end_with_0() -> None:
     assert result.exit_code == 4
     assert "0 of 1 channel watched" in said
     assert (
-        "no data: nothing comes from 1 of 1 channel; the newest row is of 1970-01-01 00:00 UTC" in said
+        "no data: no rows arrive from 1 of 1 channel; the newest row is of 1970-01-01 00:00 UTC" in said
     )
     assert gam("status", "--database", "plant.duckdb", "--park-after", "none").exit_code == 0
     counting = Plant()
@@ -215,7 +215,7 @@ def test_json_says_the_same() -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("status",), "Say which database holds the state"),
+        (("status",), "Name the database that holds the state"),
         (("status", "--database", "nowhere.duckdb"), "There is no database file nowhere.duckdb"),
         (("status", "--database", "plant.duckdb", "--name", "dafault"), "did you mean 'default'?"),
         (("status", "--database", "plant.duckdb", "--prefix", "x_"), "no state tables x_*"),

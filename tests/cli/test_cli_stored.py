@@ -244,7 +244,7 @@ def test_rows_that_came_too_late_are_told_with_what_mends_them() -> None:
     assert "later than lookback" not in said(gam("score", *STATE))
     saved(1200)
     result = gam("score", *STATE)
-    assert "late: R1 j1: at least 1 row came later than lookback" in said(result)
+    assert "late: R1 j1: at least 1 row arrived later than lookback" in said(result)
     found = figures("score", *STATE)["data_problems"]
     assert [(row["kind"], row["channel"]) for row in found] == [("late", "j1"), ("late", "j2")]
     since = str(found[0]["since"])

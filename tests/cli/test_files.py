@@ -75,14 +75,15 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "german, nothing said": (
         lambda: lines("de.csv", "Zeit;Wert", row=german),
         ("de.csv",),
-        "gam: The value column 'Wert' is of type VARCHAR; readings must be numbers: 300 of 300 words do "
+        "gam: The value column 'Wert' is of type VARCHAR; readings must be numbers: 300 of 300 "
+        "values do "
         "not fit, the first is '1.000,5', 43 times; --thousands . --decimal , would read them, or "
         "cast it in a view.",
     ),
     "german, numbers said": (
         lambda: lines("de.csv", "Zeit;Wert", row=german),
         ("de.csv", *GERMAN[:4]),
-        "gam: Each word of the time column 'Zeit' must be a time in ISO 8601: 300 of 300 words do not "
+        "gam: Each value of the time column 'Zeit' must be a time in ISO 8601: 300 of 300 values do not "
         "fit, the first is '01.12.2025 00:00'; --time-format '%d.%m.%Y %H:%M' would read them.",
     ),
     "german": (
@@ -109,7 +110,7 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "a word too many": (
         lambda: lines("u.csv", "t,x", row=lambda n: f"{n},{'Bad' if n == 250 else n % 7}"),
         ("u.csv", "--value", "x"),
-        "gam: The value column 'x' is of type VARCHAR; readings must be numbers: 1 of 300 words do not "
+        "gam: The value column 'x' is of type VARCHAR; readings must be numbers: 1 of 300 values do not "
         "fit, the first is 'Bad'; --null Bad would read them, or cast it in a view.",
     ),
     "booleans": (
@@ -150,7 +151,7 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "several kinds": (
         each(lambda: waves("a.parquet"), lambda: tables("b.csv")),
         ("a.parquet", "b.csv"),
-        "gam: b.csv is CSV, and a.parquet is Parquet; give files of one kind.",
+        "gam: b.csv is CSV, and a.parquet is Parquet; give files of one type.",
     ),
     "several, one of which is not there": (
         lambda: waves("a.parquet"),
@@ -165,25 +166,28 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
     "several of different columns": (
         each(lambda: tables("a.csv"), lambda: lines("b.csv", "t,x,y", row=lambda n: f"{n},{n},{n}")),
         ("a.csv", "b.csv"),
-        "gam: b.csv has the columns t, x, y, and a.csv has the columns t, x; the files of a source have "
+        "gam: b.csv has the columns t, x, y, and a.csv has the columns t, x; all files of a "
+        "source must have "
         "the same columns.",
     ),
     "a pattern of different columns, CSV": (
         each(lambda: tables("a.csv"), lambda: lines("b.csv", "time,y", row=lambda n: f"{n},{n}")),
         ("*.csv",),
-        "gam: b.csv has the columns time, y, and a.csv has the columns t, x; the files of a source have "
+        "gam: b.csv has the columns time, y, and a.csv has the columns t, x; all files of a "
+        "source must have "
         "the same columns.",
     ),
     "a pattern of different columns, Parquet": (
         each(lambda: waves("a.parquet"), lambda: parquet.write_table(pa.table({"t": [1]}), "b.parquet")),
         ("*.parquet",),
-        "gam: b.parquet has the columns t, and a.parquet has the columns time, value; the files of a "
-        "source have the same columns.",
+        "gam: b.parquet has the columns t, and a.parquet has the columns time, value; all files "
+        "of a source must have the same columns.",
     ),
     "a pattern whose later files have more columns, CSV": (
         each(lambda: tables("a.csv"), lambda: lines("b.csv", "t,x,y", row=lambda n: f"{n},{n},{n}")),
         ("*.csv",),
-        "gam: b.csv has the columns t, x, y, and a.csv has the columns t, x; the files of a source have "
+        "gam: b.csv has the columns t, x, y, and a.csv has the columns t, x; all files of a "
+        "source must have "
         "the same columns.",
     ),
     "a folder whose later files have more columns, Parquet": (
@@ -196,34 +200,35 @@ FILES: dict[str, tuple[Callable[[], object], tuple[str, ...], str]] = {
         ),
         ("in",),
         "gam: in/machine=B/p.parquet has the columns time, value, y, and in/machine=A/p.parquet has the "
-        "columns time, value; the files of a source have the same columns.",
+        "columns time, value; all files of a source must have the same columns.",
     ),
     "several, one of which is no file": (
         lambda: waves("a.parquet"),
         ("a.parquet", "telemetry"),
-        "gam: 'telemetry' is no Parquet or CSV file (.parquet, .pq, .csv, .tsv, .csv.gz, .tsv.gz, "
-        ".csv.zst); several SOURCE are files or folders, and a table is named alone.",
+        "gam: 'telemetry' is not a Parquet or CSV file (.parquet, .pq, .csv, .tsv, .csv.gz, .tsv.gz, "
+        ".csv.zst); several SOURCE must all be files or folders, and a table must be the only SOURCE.",
     ),
     "an empty folder": (
         lambda: Path("in").mkdir(),
         ("in",),
-        "gam: The folder in/ holds no Parquet or CSV file; is it there?",
+        "gam: The folder in/ does not exist, or contains no Parquet or CSV file.",
     ),
     "a table of Delta Lake": (
         lambda: Path("in/_delta_log").mkdir(parents=True),
         ("in",),
-        "gam: in/ is a table of Delta Lake, whose files hold rows that are no longer in it; give it "
-        "from Python through Arrow, by deltalake.DeltaTable(PATH).to_pyarrow_table().",
+        "gam: in/ is a table of Delta Lake, whose files also contain rows that are no longer in the "
+        "table; pass it from Python as an Arrow table, by "
+        "deltalake.DeltaTable(PATH).to_pyarrow_table().",
     ),
     "an empty file": (
         Path("e.csv").touch,
         ("e.csv",),
-        "gam: e.csv has no rows; it is empty, or there is a header only.",
+        "gam: e.csv has no rows; it is empty, or has only a header.",
     ),
     "a header without rows": (
         lambda: lines("h.csv", "time;value", row=str, rows=0),
         ("h.csv",),
-        "gam: h.csv has no rows; it is empty, or there is a header only.",
+        "gam: h.csv has no rows; it is empty, or has only a header.",
     ),
     "a Parquet file without rows": (
         lambda: wave("h.parquet", rows=0),
@@ -250,7 +255,8 @@ def test_a_missing_extension_is_named(monkeypatch: pytest.MonkeyPatch, folder: P
         said = first_line(gam("run", path, "--no-out"))
         assert said.startswith(f"gam: {path} ")
         assert (
-            f"DuckDB's extension {extension}, which is not installed" in said or "cannot be read" in said
+            f"DuckDB needs the extension {extension}, which is not installed" in said
+            or "cannot be read" in said
         )
 
 
@@ -265,9 +271,8 @@ def test_a_wildcard_reads_no_results() -> None:
     assert Path("part-.health.parquet").exists()
     assert first_line(gam("run", ".", "--no-out")) == "./: 1 channel of 1 asset, 600 samples"
     said = first_line(gam("run", "part-.*.parquet", "--no-out"))
-    assert (
-        said
-        == "gam: part-.*.parquet matches nothing but results of gam-db; name what they were made from."
+    assert said == (
+        "gam: part-.*.parquet matches only results of gam-db; name the source that they were made from."
     )
 
 
@@ -283,9 +288,9 @@ def test_what_a_shell_makes_of_a_wildcard_reads_no_results() -> None:
     wave("part-3.parquet", 600)
     result = gam("run", "part-2.parquet", "part-3.parquet")
     assert result.exit_code == 1
-    assert "part-.health.parquet holds the results of" in result.stderr
+    assert "part-.health.parquet contains the results of" in result.stderr
     assert (
-        "nothing but results"
+        "matches only results"
         in gam("run", "part-.health.parquet", "part-.support.parquet", "--no-out").stderr
     )
 
@@ -314,7 +319,7 @@ def test_results_of_another_source_of_the_name_are_not_written_over() -> None:
     before = Path("x.health.parquet").read_bytes()
     result = gam("run", "b/x.parquet")
     assert result.exit_code == 1
-    assert "x.health.parquet holds the results of" in result.stderr
+    assert "x.health.parquet contains the results of" in result.stderr
     assert Path("x.health.parquet").read_bytes() == before
     assert gam("run", "a/x.parquet").exit_code in (0, 2)
     assert gam("run", "b/x.parquet", "--out", "x.health.parquet").exit_code in (0, 2)

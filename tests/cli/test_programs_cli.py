@@ -152,4 +152,4 @@ def test_a_run_lists_programs_that_are_not_judged_whatever_the_times() -> None:
 def test_an_estimator_that_knows_no_programs_says_so() -> None:
     refused = gam("run", "press.parquet", "--program", "product", "--estimator", "centroid")
     assert refused.exit_code == 1
-    assert "'centroid' knows no programs" in refused.stderr
+    assert "'centroid' does not support programs" in refused.stderr

@@ -55,7 +55,7 @@ def test_a_condition_opens_no_other_file(where: str) -> None:
     """Even where it was let: by the command line, from Python, and beside a database."""
     answer = invoked("check", "data/one.parquet", "--where", where, "--where-any")
     assert answer.exit_code == 1
-    assert "opens the source and the results, and no other file" in answer.stderr
+    assert "can open the source and the results, and no other file" in answer.stderr
     for source in ("kept", "data/one.parquet"):
         with pytest.raises(SourceError, match="no other file"):
             gam_db.health_indicator(gam_db.Source(source, where=where), engine="plant.duckdb")

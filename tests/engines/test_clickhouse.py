@@ -387,7 +387,7 @@ def test_a_second_writer_is_noticed(session: Session) -> None:
             monitor.state.append_rows("channel", channel.to_pylist())
 
     keys = monitor.state.keys()
-    with pytest.raises(EngineError, match="some channels are there twice"):
+    with pytest.raises(EngineError, match="some channels occur twice"):
         calibrate(dict(keys))
     with pytest.raises(EngineError, match="Run it again"):
         calibrate(keys)

@@ -53,7 +53,7 @@ def test_an_open_connection_stays_open() -> None:
 @pytest.mark.parametrize(
     ("target", "message"),
     [
-        ("oracle://u:secret@host/db", r"^gam-db knows no database oracle://"),
+        ("oracle://u:secret@host/db", r"^gam-db does not support addresses with oracle://"),
         ("duckdb://server/plant", "three slashes"),
         ("", "path of a DuckDB file"),
         (7, "is a int; it takes the path of a DuckDB file"),

@@ -123,7 +123,7 @@ def test_counters_without_a_sign(plant: Any) -> None:
 def test_who_is_not_let_in_is_told(plant: Any) -> None:
     place = urlsplit(mariadb_server.server())
     for address, message in (
-        (f"mariadb://nobody@{place.hostname}:{place.port}/plant", "let this user in"),
+        (f"mariadb://nobody@{place.hostname}:{place.port}/plant", "does not admit this user"),
         (f"mariadb://root@{place.hostname}:{place.port}/other", "no such database"),
         (f"mariadb://root@{place.hostname}:{place.port}/plant?ssl=1", "open connection"),
         (f"mariadb://root@{place.hostname}:port/plant", "a port is a number"),
@@ -224,7 +224,7 @@ def test_dates_that_tell_no_instant_are_named_and_left_out(autumn: Any) -> None:
     parameters = gam_db.Parameters(m=2, bins=4, window=20)
     for table, count in (("plain", 3), ("shown", 1)):
         refused = gam_db.Source(table, None, None, "ts")
-        pattern = rf"{count} without time \({count} an infinite time or no date of the calendar\)"
+        pattern = rf"{count} without time \({count} an infinite time or a date that does not exist\)"
         with pytest.raises(SourceError, match=pattern) as caught:
             gam_db.support(refused, parameters, engine=session)
         condition = str(caught.value).partition('where="')[2].partition('"')[0]

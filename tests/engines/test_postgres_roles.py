@@ -283,7 +283,7 @@ def test_an_owner_migrates_and_the_script_is_run_again(plant: Any) -> None:
 def test_grants_that_are_none(words: tuple[str, ...]) -> None:
     result = CliRunner().invoke(app, ["migrate", "--sql", *words])
     assert result.exit_code == 1
-    assert "it is written as owner=NAME,writer=NAME,reader=NAME" in " ".join(result.output.split())
+    assert "write owner=NAME,writer=NAME,reader=NAME" in " ".join(result.output.split())
 
 
 @pytest.mark.parametrize(

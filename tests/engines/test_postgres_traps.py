@@ -229,7 +229,7 @@ def test_no_schema_on_the_path(connection: Any) -> None:
     connection.execute("SET search_path = nowhere")
     with gam_db.Monitor(connection, gam_db.Source(("second", "telemetry"))) as monitor:
         assert monitor.check().num_rows == 4
-        with pytest.raises(EngineError, match="names no schema that is there; give schema"):
+        with pytest.raises(EngineError, match="names no schema that exists; give schema"):
             monitor.migrate()
 
 
@@ -300,7 +300,9 @@ def test_a_condition_names_what_is_not_postgresqls_own(connection: Any) -> None:
     assert found("first.halved(value) < 100") == 4
     assert found("time OPERATOR(first.<<>>) 100") == 4
     for where in ("halved(value) < 100", "value::citext = 'x'"):
-        with pytest.raises(SourceError, match=r"does not exist\. Only what is PostgreSQL's own goes"):
+        with pytest.raises(
+            SourceError, match=(r"does not exist\. In a condition, only " r"PostgreSQL's own names go")
+        ):
             found(where)
 
 

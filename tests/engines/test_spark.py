@@ -302,7 +302,7 @@ def bad(tmp_path: Path) -> dict[str, tuple[Any, str]]:
         "no folder": ("spark://", "names no folder"),
         "no folder on a cluster": ("spark://127.0.0.1:7077", "names no folder"),
         "a file": (f"spark://{tmp_path}/a file", "cannot be written"),
-        "another master": (f"spark://127.0.0.1:1{tmp_path}", "one process has one Spark"),
+        "another master": (f"spark://127.0.0.1:1{tmp_path}", "a process can run only one Spark"),
     }
 
 
@@ -334,14 +334,14 @@ def test_nanoseconds_are_refused(spark: Session, tmp_path: Path) -> None:
     times = pa.array([n * 10**9 for n in range(10)], pa.timestamp("ns"))
     pq.write_table(pa.table({"t": times, "value": [1.0] * 10}), tmp_path / "rows.parquet")
     source = gam_db.Source(str(tmp_path / "rows.parquet"), asset=None, channel=None, time="t")
-    with pytest.raises(SourceError, match="no timestamps in nanoseconds"):
+    with pytest.raises(SourceError, match="does not read timestamps in nanoseconds"):
         gam_db.support(source, engine=spark)
 
 
 @pytest.mark.parametrize(
     ("condition", "message"),
     [
-        ("CAST(asset AS BIGINT) = 7", "cannot be read as what its column must be"),
+        ("CAST(asset AS BIGINT) = 7", "cannot be read as the type that its column needs"),
         ("no_such_column > 7", "which Spark refuses"),
         ("time + 9223372036854775807 > 0", "beyond 64 bits"),
     ],

@@ -143,7 +143,7 @@ def test_a_view_is_judged_by_its_first_value(tmp_path: Path) -> None:
     [
         ("sqlite:///{0}/none.db", "no database file"),
         ("sqlite://server/plant", "three slashes"),
-        ("sqlite:///{0}/text.db", "is it one"),
+        ("sqlite:///{0}/text.db", "is it a SQLite file"),
     ],
 )
 def test_what_cannot_be_opened(tmp_path: Path, address: str, message: str) -> None:
@@ -155,7 +155,7 @@ def test_what_cannot_be_opened(tmp_path: Path, address: str, message: str) -> No
 
 def test_what_sqlite_has_not(tmp_path: Path) -> None:
     with gam_db.connect(f"sqlite:///{tmp_path / 'plant.db'}") as session:
-        with pytest.raises(SourceError, match="no files by path"):
+        with pytest.raises(SourceError, match="does not read files by path"):
             session.relation("telemetry.parquet")
         with pytest.raises(EngineError, match="no schemas"):
             gam_db.Monitor(session, gam_db.Source("t"), schema="plant").migrate()

@@ -69,7 +69,7 @@ def test_a_column_that_a_script_cannot_read_as_time_is_refused_with_a_remedy(tmp
     assert found.exit_code == 1
     said = " ".join(found.stderr.split())
     assert "The time column 'ts' is of type VARCHAR; it must be a timestamp" in said
-    assert "by a function that takes its format and refuses a rest" in said
+    assert "by a function that takes its format and rejects trailing characters" in said
 
 
 def test_a_schema_takes_all_that_is_made() -> None:

@@ -247,7 +247,7 @@ def test_the_command_writes_both_files_and_no_credentials(engine: str, tmp_path:
 def test_what_grafana_cannot_hold_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ConfigurationError, match=r"engine is 'duckdb'.*postgres, clickhouse"):
         grafana.write("duckdb", tmp_path, StateTables())
-    with pytest.raises(ConfigurationError, match="would mean a variable"):
+    with pytest.raises(ConfigurationError, match="would read as a variable"):
         grafana.write("postgres", tmp_path, StateTables("$plant"))
     (tmp_path / "file").write_text("")
     with pytest.raises(ConfigurationError, match="cannot be written"):

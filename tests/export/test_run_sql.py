@@ -138,7 +138,7 @@ def is_refused(engine: str) -> bool:
     """Tell whether no script is printed for an engine, which must say so in one sentence."""
     if engine in RUNS:
         return False
-    with pytest.raises(UserError, match=r"takes Python \(gam score\)"):
+    with pytest.raises(UserError, match=r"(needs|use) Python \(gam score\)"):
         rendered(Monitor(engines.session(engine), gam_db.Source("telemetry")))
     return True
 

@@ -146,5 +146,5 @@ def test_what_cannot_be_printed_is_said(tmp_path: Path) -> None:
         with pytest.raises(UserError, match="There is no monitor"):
             rendered(monitor)
         monitor.calibrate()
-        with pytest.raises(UserError, match="no table or view of its database"):
+        with pytest.raises(UserError, match="not a table or view of its database"):
             rendered(monitor)

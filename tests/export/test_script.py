@@ -148,7 +148,7 @@ def test_hostile_names_are_quoted() -> None:
     [
         (ParameterError, "'view'", "views", "duckdb", SOURCE),
         (EngineError, "'postgres'", "exact", "postgre", SOURCE),
-        (EngineError, "reads no files", "exact", "sqlite", gam_db.Source("x.parquet")),
+        (EngineError, "does not read files", "exact", "sqlite", gam_db.Source("x.parquet")),
         (SourceError, "cannot be read", "exact", "duckdb", gam_db.Source("absent.parquet")),
         (SourceError, "Arrow", "exact", "duckdb", gam_db.Source(pa.table({"a": [1]}))),
         (SourceError, "channels=", "exact", "postgres", gam_db.WideSource("wide")),

@@ -60,7 +60,7 @@ def test_files_of_gam_run_are_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 
 def test_a_file_that_is_none_is_named(tmp_path: Path) -> None:
-    with pytest.raises(UserError, match=r"nothing\.parquet is not there, or no result"):
+    with pytest.raises(UserError, match=r"nothing\.parquet does not exist, or is not a result"):
         plot.fleet(tmp_path / "nothing.parquet")
 
 
@@ -94,15 +94,18 @@ def test_a_table_that_cannot_be_drawn_is_said() -> None:
     health = table_of(time=[1, 2, 1], hi=[None, 0.5, 0.1])
     assert list(plot.signal(health, "B").data[0].y) == [0.1]
     cases: list[tuple[Callable[[], object], str]] = [
-        (lambda: plot.signal(health), r"2 signals could be meant, such as A / x, B / y; say which"),
+        (lambda: plot.signal(health), r"2 signals match, such as A / x, B / y; choose one"),
         (lambda: plot.signal(health, "A", "z"), r"no signal 'A / z'; did you mean 'A / x'\?"),
         (
             lambda: plot.signal(health.drop_columns("hi")),
-            "has no column 'hi'; give what health_indicator",
+            "has no column 'hi'; pass the table that health_indicator",
         ),
-        (lambda: plot.fleet(health), r"has no limits; give support=gam_db\.support"),
-        (lambda: plot.fleet("x.parquet", health), "support goes with a table"),
-        (lambda: plot.fleet([1]), "results is a list; give a monitor, what health_indicator returns"),
+        (lambda: plot.fleet(health), r"has no limits; also pass support=gam_db\.support"),
+        (lambda: plot.fleet("x.parquet", health), "support is for a table"),
+        (
+            lambda: plot.fleet([1]),
+            ("results is a list; pass a monitor, the table that health_indicator returns"),
+        ),
     ]
     for call, message in cases:
         with pytest.raises(UserError, match=message):

@@ -199,8 +199,9 @@ def test_programs_that_keys_have_no_room_for_are_refused(engine: str) -> None:
     with pytest.raises(ParameterError) as refused:
         found_on(engine, rows, harness.made(settings, {"fraction": 0.5}))
     assert str(refused.value) == (
-        "Calibration holds 3 programs, and the keys of cells have room for 1 with m = 4 and bins = "
-        "50000; take fewer bins, a smaller m, or a column with fewer programs."
+        "Calibration contains 3 programs, but the keys of cells have room for only 1 with m = 4 "
+        "and bins = "
+        "50000; use fewer bins, a smaller m, or a column with fewer programs."
     )
     of_one = [row for row in rows if row[0] == "n" or row[4] == "a"]
     method = harness.made({**settings, "overrides": [{"asset": "n", "bins": 100}]}, {"duration": 40})
@@ -281,7 +282,7 @@ def test_a_script_without_programs_speaks_of_none(engine: str) -> None:
 def test_programs_are_asked_of_a_source_that_names_the_column() -> None:
     session = engines.session("duckdb")
     with session.lent(harness.arrow(BY_HAND)) as table:
-        with pytest.raises(SourceError, match="names no column that says which program"):
+        with pytest.raises(SourceError, match="names no program column"):
             gam_db.programs(gam_db.Source(table.name), engine=session)
         with pytest.raises(SourceError, match="recipe"):
             gam_db.programs(gam_db.Source(table.name, program="recipe"), engine=session)

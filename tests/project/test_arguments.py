@@ -154,7 +154,7 @@ def test_an_engine_that_is_none_is_refused(name: str) -> None:
     for engine in (5, [1], {"database": "x"}):
         given = {**filled(name), "source": NAMED, "engine": engine}
         said = refused(lambda given=given: CALLABLES[name](**given))  # type: ignore[misc]
-        assert said.startswith(("The database is a ", "The source names no column"))
+        assert said.startswith(("The database is a ", "The source names no program column"))
 
 
 @pytest.mark.parametrize("name", ["Source", "WideSource", "Parameters", "Calibration", "Alarms"])
@@ -194,7 +194,7 @@ def test_options_of_the_command_line_become_arguments() -> None:
         ("say --null N/A, or --no-asset", "say null='N/A', or asset=None"),
         ("--thousands . --decimal , would read them", "thousands='.' decimal=',' would read them"),
         ("--time-format '%d.%m.%Y' reads it.", "time_format='%d.%m.%Y' reads it."),
-        ("All; --clock-tolerance none takes them", "All; clock_tolerance=False takes them"),
+        ("All; --clock-tolerance none accepts them", "All; clock_tolerance=False accepts them"),
         ("leave --source-time-zone out", "leave source_time_zone out"),
         ("by --calibrate FROM/TO.", "by intervals=FROM/TO."),
         ("say --asset COLUMN; the", "say asset=COLUMN; the"),

@@ -39,7 +39,7 @@ def test_what_is_not_utf8_is_said_and_read_by_its_option(
     said = proposed.partition(" ")[2]
     with pytest.raises(SourceError, match=f"such as encoding='{said}', or") as caught:
         read(path, **NAMES)
-    assert f"export.{ending} is not in UTF-8; say which" in caught.value.options
+    assert f"export.{ending} is not in UTF-8; give its encoding" in caught.value.options
     assert f"{proposed}, or" in caught.value.options
     found = read(path, encoding=said, **NAMES)
     assert [value for _, value in found] == [minute + 0.5 for minute in range(60)]
@@ -57,7 +57,9 @@ def test_a_sign_far_down_is_named_by_its_file(tmp_path: Path) -> None:
     path = tmp_path / "late.csv"
     rows = "".join(f"{place},{place % 7},mill\n" for place in range(30_000))
     path.write_bytes(f"time,value,asset\n{rows}".encode() + b"30000,1,K\xfchlung\n")
-    with pytest.raises(SourceError, match=r"late.csv is not in UTF-8; say which .* encoding='cp1252'"):
+    with pytest.raises(
+        SourceError, match=(r"late.csv is not in UTF-8; give its encoding,.* " r"encoding='cp1252'")
+    ):
         gam_db.support(Source(path, "asset", None))
     assert len(read(path, encoding="cp1252")) == 30_001
 
@@ -66,7 +68,7 @@ def test_the_files_themselves_are_named_not_their_copies(tmp_path: Path) -> None
     path = tmp_path / "one.csv"
     path.write_bytes(TEXT.encode("cp1252"))
     for encoding in ("utf-16", "ascii"):
-        with pytest.raises(SourceError, match=rf"one.csv is not in {encoding} either; say another"):
+        with pytest.raises(SourceError, match=rf"one.csv is not in {encoding} either; give another"):
             read(path, encoding=encoding, **NAMES)
     (tmp_path / "two.csv").write_bytes("Zeit;Öl\n1;2\n".encode("cp1252"))
     with pytest.raises(SourceError, match=r"two.csv has the columns Zeit, Öl, and \S*one.csv has"):

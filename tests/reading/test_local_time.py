@@ -299,7 +299,7 @@ def test_what_local_time_leaves_open_is_told_by_check(tmp_path: Path) -> None:
     words = ["check", str(path), "--source-time-zone", "Europe/Berlin", "--window", "50"]
     done = CliRunner().invoke(app, words)
     said = " ".join(done.output.split())
-    assert "120 rows have a local time that comes twice in Europe/Berlin" in said
+    assert "120 rows have a local time that occurs twice in Europe/Berlin" in said
     assert "repeat an instant" not in said
     assert "written with source_time_zone='Europe/Berlin'" in said
 
@@ -316,7 +316,7 @@ def test_what_local_time_leaves_open_is_told_by_check(tmp_path: Path) -> None:
 def test_times_that_are_not_local_take_no_time_zone(column: pa.Array, said: str) -> None:
     table = pa.table({"time": column, "value": [1.0] * 99})
     source = gam_db.Source(table, None, None, source_time_zone="Europe/Berlin")
-    with pytest.raises(SourceError, match=f"local times, and the time column 'time' holds {said}"):
+    with pytest.raises(SourceError, match=f"local times, but the time column 'time' contains {said}"):
         gam_db.support(source)
 
 

@@ -78,7 +78,7 @@ def test_a_folder_of_csv_is_read_in_every_way(tmp_path: Path) -> None:
         (lines(day(1), range(10), "ts;value", ";"), "b.csv has the columns ts;value, and "),
         (
             lines(day(1), range(10), "Export of line 3\nts,value"),
-            "b.csv is written otherwise than .*a.csv",
+            "b.csv has another format than .*a.csv",
         ),
     ],
 )
@@ -106,7 +106,7 @@ def test_day_and_month_are_told_by_all_files(order: tuple[str, ...], tmp_path: P
     for number, name in enumerate(order):
         (tmp_path / f"{name}.csv").write_text(lines(day(number, way), range(10)))
     with pytest.raises(
-        SourceError, match=r"'%d/%m/%Y %H:%M:%S' or .*'%m/%d/%Y %H:%M:%S' would .* is meant"
+        SourceError, match=r"'%d/%m/%Y %H:%M:%S' or .*'%m/%d/%Y %H:%M:%S' would .* choose one"
     ):
         rows(tmp_path)
     assert rows(tmp_path, time_format=way) == expected(3)
@@ -136,7 +136,7 @@ def test_files_of_two_kinds_are_no_source(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text(lines(day(0), range(10)))
     parquet.write_table(pa.table({"ts": [1], "value": [1.0]}), tmp_path / "b.parquet")
     with pytest.raises(
-        SourceError, match=r"\.csv is CSV, and .*\.parquet is Parquet; give files of one kind"
+        SourceError, match=r"\.csv is CSV, and .*\.parquet is Parquet; give files of one type"
     ):
         rows(tmp_path)
 

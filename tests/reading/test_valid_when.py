@@ -203,7 +203,7 @@ def test_a_condition_that_asks_other_tables_is_refused(
     monkeypatch.chdir(tmp_path)
     Path("a.csv").write_text("t,v\n1,2\n")
     result = CliRunner().invoke(app, ["check", "a.csv", "--valid-when", "v IN (SELECT 1)"])
-    assert "valid_when is 'v IN (SELECT 1)'; it asks other tables" in flat(result.output)
+    assert "valid_when is 'v IN (SELECT 1)'; it reads other tables" in flat(result.output)
 
 
 def test_what_is_not_used_adds_nothing() -> None:

@@ -62,8 +62,8 @@ def series(way: str, count: int = 100) -> list[str]:
         ("%Y-%m-%d %I:%M:%S %p", "'%Y-%m-%d %I:%M:%S %p' would"),
         ("%Y-%m-%d %I:%M %p", "'%Y-%m-%d %I:%M %p' would"),
         ("%d.%m.%y %H:%M:%S", "'%d.%m.%y %H:%M:%S' or time_format='%y.%m.%d %H:%M:%S' would"),
-        ("%d/%m/%y %H:%M:%S", "'%d/%m/%y %H:%M:%S' or .*'%y/%m/%d %H:%M:%S' would .* which is meant"),
-        ("%d/%m/%y %H:%M", "'%d/%m/%y %H:%M' or .*'%y/%m/%d %H:%M' would .* which is meant"),
+        ("%d/%m/%y %H:%M:%S", "'%d/%m/%y %H:%M:%S' or .*'%y/%m/%d %H:%M:%S' would .* choose one"),
+        ("%d/%m/%y %H:%M", "'%d/%m/%y %H:%M' or .*'%y/%m/%d %H:%M' would .* choose one"),
         ("%d-%b-%Y %H:%M", "'%d-%b-%Y %H:%M' would"),
     ],
 )
@@ -73,7 +73,7 @@ def test_a_time_is_read_whole_or_its_format_is_proposed(
     """28 days, day first; once the option is given all is read as it was written."""
     times = series(way, 2000)
     relation, engine = READERS[reader](tmp_path, times, [float(place) for place in range(2000)])
-    with pytest.raises(SourceError, match=f"2,000 of 2,000 words do not fit, .*{proposed}"):
+    with pytest.raises(SourceError, match=f"2,000 of 2,000 values do not fit, .*{proposed}"):
         read(relation, engine)
     found = read(relation, engine, time_format=way)
     assert found == [
@@ -91,7 +91,7 @@ ODD += ["2026-03-03 12:00:00 CET", "2026-03-03T12", "infinity", "epoch", "2026-0
 def test_a_time_that_fits_only_in_part_is_named(reader: str, word: str, tmp_path: Path) -> None:
     times = [*series(ISO), word, word]
     relation, engine = READERS[reader](tmp_path, times, [1.0] * len(times))
-    with pytest.raises(SourceError, match="2 of 102 words do not fit, the first is '") as caught:
+    with pytest.raises(SourceError, match="2 of 102 values do not fit, the first is '") as caught:
         read(relation, engine)
     assert f"'{word}', 2 times" in str(caught.value)
 
@@ -99,9 +99,11 @@ def test_a_time_that_fits_only_in_part_is_named(reader: str, word: str, tmp_path
 @pytest.mark.parametrize("word", ["2026-03-03 12:00:00 PM", "26/03/03 12:00:00", "03/03/26 12:00"])
 def test_a_time_far_down_a_file_is_read_whole_or_named(word: str, tmp_path: Path) -> None:
     relation, _ = as_csv(tmp_path, [*series(ISO, ROWS), word], [1] * (ROWS + 1))
-    with pytest.raises(SourceError, match=f"1 of 30,001 words do not fit, the first is '{word}'"):
+    with pytest.raises(SourceError, match=f"1 of 30,001 values do not fit, the first is '{word}'"):
         read(relation)
-    with pytest.raises(SourceError, match="1 of 73 words"):  # a condition on times does not leave it out
+    with pytest.raises(
+        SourceError, match="1 of 73 values"
+    ):  # a condition on times does not leave it out
         read(relation, where="time < TIMESTAMP '2026-03-04'")
 
 
@@ -120,7 +122,7 @@ def test_an_offset_far_down_a_file_is_heeded(tmp_path: Path) -> None:
 @pytest.mark.parametrize("word", ["1.5", "0x10", "1e5", "7 of 9", "5%", "TRUE"])
 def test_a_count_that_is_none_is_named(word: str, tmp_path: Path) -> None:
     relation, _ = as_csv(tmp_path, [*map(str, range(ROWS)), word], [1] * (ROWS + 1))
-    with pytest.raises(SourceError, match=f"counts, must be an integer: 1 of 30,001 .* '{word}'"):
+    with pytest.raises(SourceError, match=f"a counter, must be an integer: 1 of 30,001 .* '{word}'"):
         read(relation)
 
 
@@ -132,7 +134,7 @@ NUMBERS = ["1.5abc", "0x10", "5%", "TRUE", "1,5", "1 5", "5F", "five"]
 def test_a_number_that_fits_only_in_part_is_named(reader: str, word: str, tmp_path: Path) -> None:
     times = series(ISO)
     relation, engine = READERS[reader](tmp_path, times, [*(f"{place}.5" for place in range(99)), word])
-    with pytest.raises(SourceError, match=f"1 of 100 words do not fit, the first is '{word}'"):
+    with pytest.raises(SourceError, match=f"1 of 100 values do not fit, the first is '{word}'"):
         read(relation, engine)
     if word != "1,5":  # which DuckDB takes for two columns then
         assert read(relation, engine, null=[word])[-1][1] is None
@@ -189,17 +191,22 @@ SMALL = gam_db.Parameters(m=1, tau=1, bins=4, window=5)
             "INTEGER",
             "REAL",
             (50, "Bad"),
-            "1 of 51 .* 'value', declared REAL, are no numbers.*null='Bad'",
+            "1 of 51 .* 'value', declared REAL, are not numbers.*null='Bad'",
         ),
-        ("INTEGER", "REAL", (50, "1.5abc"), "no numbers: the first is '1.5abc'"),
-        ("INTEGER", "INTEGER", (50, "1,5"), "declared INTEGER, are no numbers: the first is '1,5'"),
-        ("INTEGER", "REAL", (50, "0x10"), "no numbers: the first is '0x10'"),
-        ("INTEGER", "NUMERIC", (50, "5%"), "no numbers: the first is '5%'"),
-        ("INTEGER", "REAL", (50, ""), "no numbers: the first is ''"),
-        ("INTEGER", "REAL", (50, b"5"), "no numbers"),
-        ("INTEGER", "BOOLEAN", (50, "TRUE"), "are no 0 or 1: the first is 'TRUE'"),
-        ("INTEGER", "REAL", (1.5, 1.0), "'time', declared INTEGER, are no integers: the first is '1.5'"),
-        ("INTEGER", "REAL", ("7 of 9", 1.0), "are no integers: the first is '7 of 9'"),
+        ("INTEGER", "REAL", (50, "1.5abc"), "not numbers: the first is '1.5abc'"),
+        ("INTEGER", "INTEGER", (50, "1,5"), "declared INTEGER, are not numbers: the first is '1,5'"),
+        ("INTEGER", "REAL", (50, "0x10"), "not numbers: the first is '0x10'"),
+        ("INTEGER", "NUMERIC", (50, "5%"), "not numbers: the first is '5%'"),
+        ("INTEGER", "REAL", (50, ""), "not numbers: the first is ''"),
+        ("INTEGER", "REAL", (50, b"5"), "not numbers"),
+        ("INTEGER", "BOOLEAN", (50, "TRUE"), "are not 0 or 1: the first is 'TRUE'"),
+        (
+            "INTEGER",
+            "REAL",
+            (1.5, 1.0),
+            "'time', declared INTEGER, are not integers: the first is '1.5'",
+        ),
+        ("INTEGER", "REAL", ("7 of 9", 1.0), "are not integers: the first is '7 of 9'"),
     ],
 )
 def test_sqlite_keeps_any_text_and_each_is_named(
@@ -219,7 +226,7 @@ def test_sqlite_reads_a_time_whole_or_names_it(connection: sqlite3.Connection, w
     rows = [(time, place) for place, time in enumerate(series(ISO, 50))]
     stored(connection, "TEXT", "REAL", [*rows, (word, 1.0)])
     with pytest.raises(
-        SourceError, match=r"1 of 51 .* are no times in ISO 8601: the first is '"
+        SourceError, match=r"1 of 51 .* are not times in ISO 8601: the first is '"
     ) as caught:
         gam_db.support(Source("readings", None, None), SMALL, engine=connection)
     assert repr(str(word)) in str(caught.value)

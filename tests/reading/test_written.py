@@ -106,21 +106,21 @@ def one(words: list[Any], times: list[Any] | None = None, **said: Any) -> Source
     [
         (
             one(["1,5", "2", "1,5"]),
-            "2 of 3 words do not fit, the first is '1,5', 2 times; --decimal , would",
+            "2 of 3 values do not fit, the first is '1,5', 2 times; --decimal , would",
         ),
         (one(["1.234,5", "-"]), "--thousands . --decimal , --null - would"),
         (one(["1,234.5"]), "--thousands , --decimal . would"),
         (one(["1 234,5"]), "--thousands ' ' --decimal , would"),
         (one(["1.2 A", "1.3 A"]), "--unit A would"),
         (one(["1.5", "N/A", "Bad"]), "2 of 3 .*'N/A'; --null N/A --null Bad would"),
-        (one(["1.5", "2.5"]), "all its words are, so --decimal . reads them"),
+        (one(["1.5", "2.5"]), "all its values are, so --decimal . reads them"),
         (
             one(["open", "shut", "open"]),
             "words only, 'open', 'shut': .* give a view with a number for each",
         ),
         (
             one(["1.5", "N/A"], decimal="."),
-            "1 of 2 words do not fit, the first is 'N/A'; --null N/A would",
+            "1 of 2 values do not fit, the first is 'N/A'; --null N/A would",
         ),
         (one(["1.2 A", "1.2 mA"], unit="A"), "1 of 2 .*'1.2 mA'; --unit mA would"),
         (one(["1.500", "1.5"], thousands="."), "1 of 2 .* the first is '1.5'"),
@@ -134,10 +134,10 @@ def one(words: list[Any], times: list[Any] | None = None, **said: Any) -> Source
         ),
         (
             one([1.0, 2.0], ["2026-01-01", "?"]),
-            "1 of 2 words do not fit, the first is '\\?'; say --time-f",
+            "1 of 2 values do not fit, the first is '\\?'; give --time-f",
         ),
-        (one([1.0], [1.5]), "Say --time-unit"),
-        (one([1.0], ["2026-01-01"], time_unit="s"), "time_unit is said of numbers"),
+        (one([1.0], [1.5]), "Give --time-unit"),
+        (one([1.0], ["2026-01-01"], time_unit="s"), "time_unit applies only to numbers"),
         (one([1.0], [True]), "it must be a timestamp or an integer counter"),
     ],
 )
@@ -244,7 +244,7 @@ def test_fractions_may_come_late(tmp_path: Path) -> None:
 def test_a_day_is_not_taken_for_a_month(tmp_path: Path) -> None:
     path = tmp_path / "days.csv"
     path.write_text("time,value\n01/02/2026 10:00:00,1\n03/02/2026 10:00:00,2\n")
-    with pytest.raises(SourceError, match=r"'%d/%m/%Y %H:%M:%S' or .*'%m/%d.* which is meant"):
+    with pytest.raises(SourceError, match=r"'%d/%m/%Y %H:%M:%S' or .*'%m/%d.* choose one"):
         gam_db.support(Source(path, None, None))
     months = read(Source(path, None, None, time_format="%m/%d/%Y %H:%M:%S"))
     assert months[0][0] == micros(dt.datetime(2026, 1, 2, 10))

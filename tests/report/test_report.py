@@ -332,7 +332,7 @@ def calibrated(tmp_path_factory: pytest.TempPathFactory) -> Path:
         (["--out", "nowhere/page.html"], "the folder nowhere is not there"),
         (["--time-zone", "Mars/Olympus"], "There is no time zone 'Mars/Olympus'"),
         (["--signal", "A/w"], "There is no signal 'A/w'"),
-        (["--asset", "C*"], "no calibrated signal of a machine like 'C*'"),
+        (["--asset", "C*"], "no calibrated signal of a machine that matches 'C*'"),
         (["--since", "7 d"], "counts time"),
         (["--made", "noon"], "--made is 'noon'"),
         (["--name", "nobody"], "There is no monitor 'nobody'"),
@@ -368,7 +368,7 @@ def test_the_commands_write_a_page(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     both = [data_of(tmp_path / name)["signals"] for name in ("report.html", "run.html")]
     assert both[0]["hi"] == both[1]["hi"]
     done = CliRunner().invoke(app, ["run", "t", "--database", "plant.duckdb", "--report", "x.html"])
-    assert "--report is of a file" in done.output
+    assert "--report works with files" in done.output
 
 
 def test_too_many_details_are_refused() -> None:

@@ -254,7 +254,9 @@ def compare_list(seen: browser.Seen, plant: Plant) -> None:
     assert int(told["fresh"]) == sum(words.startswith("new") for _, words in found.values()) > 0
     said = seen.ask("document.querySelector('h1').textContent")
     hot = sum(row["above"] > 0 for row in plant.machines.values())
-    assert said.startswith(f"{hot} of {len(plant.machines)} machines go where they never went")
+    assert said.startswith(
+        f"{hot} of {len(plant.machines)} machines are in states that they never visited"
+    )
 
 
 def lightness(pixel: list[int]) -> str:

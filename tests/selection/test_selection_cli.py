@@ -121,7 +121,7 @@ def test_a_file_that_is_not_there_is_begun_and_one_of_another_form_is_left() -> 
     Path("odd.toml").write_text("override = [{ bins = 7 }]\n")
     refused = gam(*words, "odd.toml")
     assert refused.exit_code == 1
-    assert "in a form that cannot be replaced" in refused.output
+    assert "in a form that gam-db cannot replace" in refused.output
     assert Path("odd.toml").read_text() == "override = [{ bins = 7 }]\n"
     assert "the folder nowhere is not there" in gam(*words, "nowhere/gam.toml").output
 

@@ -128,7 +128,7 @@ def test_an_unknown_key_is_refused_with_the_nearest_name(tmp_path: Path, text: s
         ("[source]\nlayout = 'wid'", "did you mean 'wide'"),
         ("[source]\ntime_kind = 'stamp'", "time_kind is 'stamp'"),
         ("[parameters]\nbins = 0", r"in \[parameters\], bins is 0; it must be at least 1"),
-        ("[parameters]\ntarget_floor = 5", "it is a share"),
+        ("[parameters]\ntarget_floor = 5", "it must be a share"),
         ("[override]\nm = 3", r"\[\[override\]\]"),
         ("[[override]]\nasset = 3", "number 1"),
         ("[[override]]\nm = 0", r"in \[\[override\]\] number 1, m is 0"),

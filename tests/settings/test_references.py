@@ -104,7 +104,10 @@ def test_a_reference_learns_by_the_general_rule() -> None:
         ({"reference": "M1"}, "there is no pool"),
         ({"reference": 5, "pool": "channel"}, r"reference is 5; it takes asset patterns, such as"),
         ({"reference": ["M1", 5], "pool": "channel"}, "it takes asset patterns"),
-        ({"overrides": {"a": Calibration(pool="channel", reference="b")}}, "only the general one may"),
+        (
+            {"overrides": {"a": Calibration(pool="channel", reference="b")}},
+            ("only the general calibration may"),
+        ),
     ],
 )
 def test_what_is_no_reference_is_refused(arguments: dict[str, Any], message: str) -> None:

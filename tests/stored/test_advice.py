@@ -47,37 +47,37 @@ KINDS: dict[str, tuple[list[list[float]], tuple[int, ...], str, str]] = {
     "step": (
         [HALF] * 6,
         (6, 60, 10, 10, 10, 0, 1, 0),
-        "It came in a step: 50 % of the vectors were new when it began, at most 50 % of a judgement, "
+        "It came in a step: 50 % of the vectors were novel when it began, at most 50 % in a judgement, "
         "100 % of them "
         "inside the calibrated range; it reaches few further states (0 of 1 first in its later half).",
         "Decide first: it opened right after calibration, so it is a fault (true_fault), or "
-        "calibration was no fair "
+        "calibration was not a fair "
         "sample (false_alarm).",
     ),
     "growth": (
         GROWING,
         (6, 44, 2, 4, 10, 0, 19, 11),
-        "It grew: 20 % of the vectors were new when it began, later 50 % of a judgement, 100 % of "
+        "It grew: 20 % of the vectors were novel when it began, later 50 % in a judgement, 100 % of "
         "them inside the "
         "calibrated range; it keeps reaching new states (11 of 19 first in its later half).",
-        "Look soon: it goes on changing.",
+        "Inspect it soon: it keeps changing.",
     ),
     "settling": (
         SETTLING,
         (6, 44, 2, 4, 10, 0, 10, 2),
-        "It grew: 20 % of the vectors were new when it began, later 50 % of a judgement, 100 % of "
+        "It grew: 20 % of the vectors were novel when it began, later 50 % in a judgement, 100 % of "
         "them inside the "
         "calibrated range; it reaches few further states (2 of 10 first in its later half).",
-        "Look at it while it grows, and compare it with other machines of its kind.",
+        "Inspect it while it grows, and compare it with other machines of its kind.",
     ),
     "outside": (
         [FAR] * 6,
         (6, 60, 10, 10, 10, 60, 1, 0),
-        "It came in a step: 50 % of the vectors were new when it began, at most 50 % of a judgement, "
+        "It came in a step: 50 % of the vectors were novel when it began, at most 50 % in a judgement, "
         "most of them "
         "(100 %) outside the calibrated range; it reaches few further states (0 of 1 first in its "
         "later half).",
-        "Look whether such readings are possible at all; calibration never held any.",
+        "Check whether such readings are possible at all; calibration contains none.",
     ),
     "tenth": (
         [[value / 10.0 for value in CALM]] * 6,
@@ -85,40 +85,40 @@ KINDS: dict[str, tuple[list[list[float]], tuple[int, ...], str, str]] = {
         "All readings are about a tenth of what they were (units, scaling or another sensor?), which "
         "explains 100 % of "
         "the novelty.",
-        "Look at the units, scaling and sensor of x; if the change is meant, calibrate again from "
+        "Check the units, scaling and sensor of x; if the change is intended, calibrate again from "
         "then on.",
     ),
     "shifted": (
         [raised_by(0, 20)] * 6,
         (6, 120, 20, 20, 20, 6, 20, 0),
         "All readings lie about 1 higher, which explains 100 % of the novelty.",
-        "Look at the units, scaling and sensor of x; if the change is meant, calibrate again from "
+        "Check the units, scaling and sensor of x; if the change is intended, calibrate again from "
         "then on.",
     ),
     "inverted": (
         [[84.0 - value for value in CALM]] * 6,
         (6, 120, 20, 20, 20, 120, 2, 0),
-        "All readings are upside down, and then 84 higher (sign, scaling or another sensor?), which "
+        "All readings are inverted, and then 84 higher (sign, scaling or another sensor?), which "
         "explains 100 % of "
         "the novelty.",
-        "Look at the units, scaling and sensor of x; if the change is meant, calibrate again from "
+        "Check the units, scaling and sensor of x; if the change is intended, calibrate again from "
         "then on.",
     ),
     "frozen": (
         [[21.0] * W] * 6,
         (6, 120, 20, 20, 20, 0, 1, 0),
-        "It came in a step: 100 % of the vectors were new when it began, at most 100 % of a "
+        "It came in a step: 100 % of the vectors were novel when it began, at most 100 % in a "
         "judgement, 100 % of them "
         "inside the calibrated range; it reaches few further states (0 of 1 first in its later half).",
-        "Look at what was done to the machine, or what it was given to do, when it began.",
+        "Check what was changed on the machine, or which work it did, when it began.",
     ),
     "short": (
         [HALF] * 2,
         (2, 20, 10, 10, 10, 0, 1, 0),
-        "It is too short to tell a step from growth: at most 50 % of a judgement's vectors were new, "
+        "It is too short to tell a step from growth: at most 50 % of a judgement's vectors were novel, "
         "100 % of them "
         "inside the calibrated range.",
-        "Wait for its next judgements, or look now if the machine must not stop.",
+        "Wait for its next judgements, or inspect it now if the machine must not stop.",
     ),
 }
 
@@ -190,7 +190,7 @@ def test_a_sentence_says_what_the_row_of_figures_says(kind: str) -> None:
     assert row["status"] == "proving"
     assert said.advice == KINDS["step"][3]
     said = advise([{**row, "status": "open"}])
-    expected = "Look at what was done to the machine, or what it was given to do, when it began."
+    expected = "Check what was changed on the machine, or which work it did, when it began."
     assert said.advice == (expected if kind == "step" else advice)
 
 
@@ -206,7 +206,8 @@ def test_signals_that_opened_together_are_said_together() -> None:
     assert advise(rows[:1]).finding == f"{lone}{alone}"
     still = [{**row, "status": "open"} for row in rows]
     share = (
-        "Look first at what these signals share, and at what was done to the machine when they opened."
+        "Check first what these signals have in common, and what was changed on the machine when "
+        "they opened."
     )
     assert advise(still).advice == advise(still[:1]).advice == share
     assert advice_of(rows) == {row["episode"]: advise(rows) for row in rows}
@@ -218,8 +219,8 @@ def test_what_was_pruned_is_not_made_up() -> None:
     assert tuple(signs_of({**row, **counted})) == ("pruned", None, None, False)
     said = advise([{**row, **counted, "status": "open"}])
     assert said == (
-        "How it began is no longer kept.",
-        "Look at its rows in the source, if they are still there.",
+        "The record of its beginning is no longer stored.",
+        "Check its rows in the source, if they are still there.",
     )
     assert advice_of([{**row, "status": "withdrawn", "incident": None}]) == {row["episode"]: None}
 
@@ -267,18 +268,17 @@ def test_what_the_stated_rate_means() -> None:
     columns = ("asset", "channel", "asked", "stated_rate", "judgements")
     held = [dict(zip(columns, row, strict=True)) for row in found]
     # 3 x 0.001 + 5 x 0.1 = 0.503 of 8 judgements: 62.9 per 1,000.
-    stated = (
-        "Asked: 1 per month; 1 per week. Stated: 62.9 false alarms per 1,000 judgements, of which there "
-    )
+    stated = "Requested: 1 per month; 1 per week. Stated: 62.9 false alarms per 1,000 judgements "
     assert promise(held, 4) == (
-        f"{stated}were 8; a healthy fleet would have raised about one of these 4 in this time."
+        f"{stated}(8 judgements so far); a healthy fleet would have raised about one of these 4 "
+        "in this time."
     )
     assert promise(held[:1], 4) == (
-        "Asked: 1 per month. Stated: 1 false alarms per 1,000 judgements, of which there were 3; a "
+        "Requested: 1 per month. Stated: 1 false alarms per 1,000 judgements (3 judgements so far); a "
         "healthy fleet would have raised none of these 4 in this time."
     )
     many = promise([{**held[1], "judgements": 34}], 9)
     assert many is not None
     assert many.endswith("a healthy fleet would have raised about 3 of these 9 in this time.")
-    assert promise(held[2:], 1) == "Asked: 1 per month. No rate can be stated."
+    assert promise(held[2:], 1) == "Requested: 1 per month. No rate can be stated."
     assert promise([], 3) is promise(held, 0) is None

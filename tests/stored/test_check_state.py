@@ -86,7 +86,7 @@ def test_damage_says_what_to_do(plant: Path) -> None:
     assert "put them back from a copy of the database; or gam calibrate --again" in text
     refused = gam("score")
     assert refused.exit_code == 1
-    assert "Nothing is scored by it. Put the tables back" in " ".join(refused.stderr.split())
+    assert "gam does not score with it. Restore the tables" in " ".join(refused.stderr.split())
 
 
 def test_what_cannot_be_recorded_is_checked_all_the_same(

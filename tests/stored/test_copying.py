@@ -177,8 +177,8 @@ def test_what_cannot_be_copied_is_refused(tmp_path: Path) -> None:
             (own, "open in this session"),
             (tmp_path / "x" / ".." / "plant.duckdb", "open in this session"),
             (open_elsewhere, "open in a process that changes it"),
-            (tmp_path / "Factory.duckdb", "called like the schema"),
-            (tmp_path / "nowhere" / "copy.duckdb", "nowhere is not there"),
+            (tmp_path / "Factory.duckdb", "same name as the schema"),
+            (tmp_path / "nowhere" / "copy.duckdb", "nowhere does not exist"),
         ):
             with pytest.raises(SourceError, match=message):
                 copy(session, TABLES, path)

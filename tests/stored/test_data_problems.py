@@ -98,8 +98,8 @@ def test_each_kind_is_listed_by_hand(engine: str) -> None:
     assert sorted(name for name, row in channels.items() if row["silent"]) == ["gone", "never"]
     said = standing.problems["sentence"].to_pylist()
     assert said[1] == (
-        "late: late x: at least 3 rows came later than lookback, after 1970-01-08 00:00 UTC, so what "
-        "was scored lacks them"
+        "late: late x: at least 3 rows arrived later than lookback, after 1970-01-08 00:00 UTC, so "
+        "the scores lack them"
     )
     assert said[5] == "silent: gone x: nothing since 1970-01-07 00:00 UTC, 4 d behind the newest data"
     advice = standing.problems["advice"].to_pylist()

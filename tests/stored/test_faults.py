@@ -78,7 +78,7 @@ def connection(plant: Path) -> Iterator[duckdb.DuckDBPyConnection]:
         ),
         (
             "ALTER TABLE telemetry ALTER time TYPE VARCHAR",
-            r"Each word of the time column 'time' must be a time",
+            r"Each value of the time column 'time' must be a time",
         ),
         ("DELETE FROM telemetry", r"The source has no row"),
     ],
@@ -216,7 +216,7 @@ def endure(folder: Path, tightness: Callable[[Path, int], Any], expected: list[A
             failures[command] += 1
             assert isinstance(refused[0], FullError)
             assert re.fullmatch(
-                r"The disk of .* is full\. What was .*; make room, and .*", str(refused[0])
+                r"The disk of .* is full\. What was .* Make room, and .*", str(refused[0])
             )
             with DuckSession(path, writable=True) as session:
                 after = stored(session.connection)
@@ -252,7 +252,10 @@ def test_a_file_that_may_only_be_read(plant: Path, expected: list[Any]) -> None:
             before = stored(session.connection)
         path.chmod(0o444)
         Path(folder).chmod(0o555)
-        with as_nobody(), pytest.raises(EngineError, match="cannot be written: you may only read it"):
+        with (
+            as_nobody(),
+            pytest.raises(EngineError, match=("cannot be written: you have only read permission")),
+        ):
             gam_db.connect(path)
         Path(folder).chmod(0o755)
         path.chmod(0o644)
@@ -278,7 +281,9 @@ def test_a_file_that_another_process_holds(plant: Path, expected: list[Any]) -> 
     ) as holder:
         assert holder.stdout is not None
         holder.stdout.readline()
-        with pytest.raises(EngineError, match=r"is open in another process; .* Wait for it to end"):
+        with pytest.raises(
+            EngineError, match=(r"is open in another process; .* Wait for that " r"process to end")
+        ):
             Monitor(plant, gam_db.Source("telemetry"))
         holder.communicate()
     with DuckSession(plant, writable=True) as session:
@@ -293,7 +298,7 @@ def test_a_file_that_was_damaged(plant: Path) -> None:
     block = slice(3 * 4096, 3 * 4096 + 2**17)
     plant.write_bytes(whole[: block.start] + bytes(2**17) + whole[block.stop :])
     for writable in (False, True):
-        with pytest.raises(EngineError, match=r"is damaged: .* Take a copy that is whole"):
+        with pytest.raises(EngineError, match=r"is damaged: .* Restore a complete copy"):
             DuckSession(plant, writable=writable)
     plant.write_bytes(whole)
     with DuckSession(plant, writable=True) as session:

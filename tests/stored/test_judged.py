@@ -246,7 +246,9 @@ def test_a_rate_in_days_of_a_counter_is_refused_before_all_is_read() -> None:
         study = Study(session, source, gam_db.Parameters(), CALIBRATION)
         read: list[str] = []
         study.running.on_step = read.append
-        with pytest.raises(ParameterError, match="counts time in integers; give it in judgements"):
+        with pytest.raises(
+            ParameterError, match=("counts time in integers; give the rate per judgements")
+        ):
             findings(study, gam_db.Alarms("1 per month"))
         assert not read
 

@@ -158,7 +158,7 @@ def test_the_script_is_printed_without_a_database() -> None:
 @pytest.mark.parametrize(
     ("words", "part"),
     [
-        (["migrate"], "Say which database holds the state"),
+        (["migrate"], "Name the database that holds the state"),
         (["migrate", "--database", FILE, "--status"], "There is no database file"),
         (["migrate", "--sql", "--status"], "leave out --status"),
         (["migrate", "--database", FILE, "--engine", "duckdb"], "add --sql"),
@@ -179,7 +179,7 @@ def test_a_schema_called_like_the_file_is_refused() -> None:
     """DuckDB takes plant.x for a table x of the database plant, and for one of a schema plant."""
     found = gam("migrate", "--database", FILE, "--schema", "Plant")
     assert found.exit_code == 1
-    assert "'Plant' is called like a database" in told(found)
+    assert "'Plant' has the same name as a database" in told(found)
 
 
 # gam drop
@@ -287,8 +287,8 @@ def test_a_state_of_before_is_refused_in_one_sentence_and_can_be_dropped() -> No
         )
         before = session.relations()
     said = (
-        "gam: The state tables gam_* were made by gam-db 0.0.9 in another form than gam-db "
-        f"{__version__} has: drop them with `gam drop --yes`, then `gam calibrate` makes them anew."
+        "gam: gam-db 0.0.9 made the state tables gam_* in another form than gam-db "
+        f"{__version__} needs: drop them with `gam drop --yes`, then `gam calibrate` makes them anew."
     )
     place = ("--database", FILE)
     commands = ("migrate", "calibrate telemetry", "score", "status", "check --state", "prune", "alarms")

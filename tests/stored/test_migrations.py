@@ -189,7 +189,7 @@ def test_the_script_is_what_migrate_does(session: DuckSession, tables: StateTabl
 
 # What is refused
 
-OF_BEFORE = r"another form than .* has: drop them with `gam drop --yes`, then `gam calibrate` makes"
+OF_BEFORE = r"another form than .* needs: drop them with `gam drop --yes`, then `gam calibrate` makes"
 
 
 def test_without_any_state(session: DuckSession) -> None:
@@ -215,10 +215,10 @@ def test_without_any_state(session: DuckSession) -> None:
         ("DELETE FROM gam_state_migration WHERE number = 3", "changed by hand: it lacks number 3"),
         (
             "INSERT INTO gam_state_migration FROM gam_state_migration WHERE number = 3",
-            "it is there twice",
+            "a number occurs twice",
         ),
-        ("DROP TABLE gam_state_support", "gam_state_support was made once and is no longer there"),
-        ("DROP VIEW gam_state_visible_novel", "gam_state_visible_novel was made once"),
+        ("DROP TABLE gam_state_support", "gam_state_support no longer exists"),
+        ("DROP VIEW gam_state_visible_novel", "gam_state_visible_novel no longer exists"),
         (
             "ALTER TABLE gam_state_migration RENAME name TO title",
             "a gam_state_migration .* no state",
@@ -246,7 +246,7 @@ def test_tables_of_others_under_our_names_are_left_alone(session: DuckSession, t
     """``gam run --out`` and the view form of ``gam compile`` may make a gam_health, too."""
     rows(session, taken)
     before = catalog(session)
-    with pytest.raises(StateError, match=r"no state table of gam-db; give another prefix or schema"):
+    with pytest.raises(StateError, match=r"not a state table of gam-db; give another prefix or schema"):
         migrate(session, STATE)
     assert catalog(session) == before
     migrate(session, StateTables(prefix="other_"))

@@ -75,7 +75,7 @@ def test_the_most_urgent_channel_comes_first_and_says_why(session: DuckSession) 
     assert [row["remarks"] for row in rows[1:]] == [
         ["grid too fine for its calibration, 7 bins would pass"],
         [
-            "calibration too short, it takes about 300 more vectors",
+            "calibration too short; it needs about 300 more vectors",
             "HI not yet available: 0 of 20 vectors scored",
         ],
         ["HI not yet available: 10 of 20 vectors scored"],
@@ -234,9 +234,9 @@ def test_an_asset_is_as_urgent_as_its_worst_channel(session: DuckSession) -> Non
         (
             "too_fine",
             4,
-            "too little calibration for a grid of use: calibrate longer, it takes about 70 more vectors",
+            "too little calibration for a useful grid: calibrate longer, it needs about 70 more vectors",
         ),
-        ("needs_data", None, "calibration too short, it takes about 70 more vectors"),
+        ("needs_data", None, "calibration too short; it needs about 70 more vectors"),
     ],
 )
 def test_where_only_a_useless_grid_would_pass_the_advice_is_to_calibrate_longer(

@@ -406,7 +406,7 @@ def test_limits_that_are_made_again_are_for_judgements_to_come(plant: Plant) -> 
     [
         ({"kind": "broken", "episode": 1}, "A label is one of true_fault, false_alarm"),
         ({"kind": "true_fault", "episode": 7}, "There is no episode 7; the newest is 1"),
-        ({"kind": "true_fault"}, "A label is about an episode, or about an asset"),
+        ({"kind": "true_fault"}, "A label needs an episode, or an asset"),
         ({"kind": "true_fault", "asset": "b", "span": (0, 9)}, "There is no asset 'b' in the monitor"),
         ({"kind": "maintenance", "asset": "a", "span": (9, 0)}, "ends at 0, before it begins at 9"),
         ({"kind": "snoozed", "episode": 1}, "A snooze needs an end"),

@@ -131,7 +131,7 @@ def test_a_table_of_a_database_may_be_given_by_its_name(
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        (5, "A int is no source; it takes"),
+        (5, "A int is not a source; a source is"),
         ("nothing.parquet", "cannot be read; is it there"),
         (
             pa.table({"ts": [1], "a": ["x"], "b": ["y"], "v": [1.0]}),
@@ -167,7 +167,7 @@ def test_addresses_of_sqlalchemy_are_understood(tmp_path: Path) -> None:
     sqlite3.connect(tmp_path / "plant.db").close()
     with gam_db.connect(f"sqlite+pysqlite:///{tmp_path / 'plant.db'}") as session:
         assert session.engine.name == "sqlite"
-    with pytest.raises(UserError, match="gam-db knows no database oracle://"):
+    with pytest.raises(UserError, match="gam-db does not support addresses with oracle://"):
         gam_db.connect("oracle+cx://host/x")
 
 

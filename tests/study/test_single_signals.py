@@ -122,11 +122,11 @@ def test_a_series_of_polars_counts_its_readings() -> None:
     ("given", "message"),
     [
         (np.zeros((9, 2)), r"The array has 2 dimensions; .* array\[:, 0\]"),
-        (np.array(["1", "2"]), "type <U1; readings are numbers"),
-        (np.array([1, None]), "type object; readings are numbers"),
-        (np.array(["2026-03-01"], "datetime64[s]"), r"type datetime64\[s\]; readings are numbers"),
-        (np.array([1j]), "type complex128; readings are numbers"),
-        (pa.array(["a"]), "type string; readings are numbers"),
+        (np.array(["1", "2"]), "type <U1; readings must be numbers"),
+        (np.array([1, None]), "type object; readings must be numbers"),
+        (np.array(["2026-03-01"], "datetime64[s]"), r"type datetime64\[s\]; readings must be numbers"),
+        (np.array([1j]), "type complex128; readings must be numbers"),
+        (pa.array(["a"]), "type string; readings must be numbers"),
     ],
 )
 def test_an_array_that_is_no_signal_is_refused(given: Any, message: str) -> None:
@@ -138,14 +138,14 @@ def test_a_series_or_frame_of_something_else_is_refused() -> None:
     pandas = pytest.importorskip("pandas", reason="it comes with the extra engines")
     mixed = pandas.DataFrame({"time": [1, 2], "value": [1, "a"]})
     for given, message in (
-        (pandas.Series([1, "a"]), "type object; readings are numbers"),
-        (pandas.Series([1.0], index=["a"]), "is a Index of the type str, which tells no time"),
-        (pandas.Series([1.0], index=[0.5]), "holds fractions or missing values"),
-        (pandas.Series([1.0], index=[np.nan]), "holds fractions or missing values"),
+        (pandas.Series([1, "a"]), "type object; readings must be numbers"),
+        (pandas.Series([1.0], index=["a"]), "is a Index of the type str, which is not a time"),
+        (pandas.Series([1.0], index=[0.5]), "contains fractions or missing values"),
+        (pandas.Series([1.0], index=[np.nan]), "contains fractions or missing values"),
         (pandas.Series([1.0], index=pandas.period_range("2026", periods=1)), "is a PeriodIndex"),
         (pandas.Series([1.0], index=pandas.MultiIndex.from_tuples([(1, 2)])), "is a MultiIndex"),
-        (mixed, r"The column 'value' holds Python objects .* frame\['value'\]\.astype\(float\)"),
-        (Source(mixed, None, None), "The column 'value' holds Python objects"),
+        (mixed, r"The column 'value' contains Python objects .* frame\['value'\]\.astype\(float\)"),
+        (Source(mixed, None, None), "The column 'value' contains Python objects"),
     ):
         with pytest.raises(UserError, match=message):
             gam_db.support(given)

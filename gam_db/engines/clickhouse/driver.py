@@ -271,7 +271,7 @@ def folder(address: str, writable: bool) -> dict[str, Any]:
         raise EngineError(f"There is no folder {path.absolute()}.")
     there = {entry.name for entry in path.iterdir()} if path.is_dir() else set()
     if there and not there & _OF_CHDB:
-        raise EngineError(f"{path} is no folder of chdb; give an empty or a new one.")
+        raise EngineError(f"{path} is not a folder of chdb; give an empty or a new folder.")
     return {"interface": "chdb", "path": str(path)}
 
 
@@ -302,7 +302,7 @@ def server(address: str) -> dict[str, Any]:
     try:
         port = parts.port
     except ValueError:
-        raise EngineError(f"{shown(address)}: the port is no number.") from None
+        raise EngineError(f"{shown(address)}: the port is not a number.") from None
     secure = parts.scheme == "clickhouses"
     return {
         "interface": "https" if secure else "http",

@@ -196,7 +196,7 @@ class DuckDriver(Driver):
         texts = [path for path in sources if is_text_file(path)]
         if 0 < len(texts) < len(sources):
             other = next(path for path in sources if path not in texts)
-            raise SourceError(f"{texts[0]} is CSV, and {other} is Parquet; give files of one kind.")
+            raise SourceError(f"{texts[0]} is CSV, and {other} is Parquet; give files of one type.")
         files = matching(self.connection, sources)
         if texts:
             form = form or Form()

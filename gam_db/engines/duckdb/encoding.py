@@ -70,7 +70,7 @@ def _copy(path: str, encoding: str, target: Path) -> None:
         while piece := stream.read(_PIECE):
             text = decoder.decode(piece)
             if is_first and "\0" in text:
-                raise UnicodeError("It has more bytes than one for each sign.")
+                raise UnicodeError("The encoding uses more than one byte per character.")
             file.write(text.removeprefix("\ufeff") if is_first else text)
             is_first = False
         file.write(decoder.decode(b"", final=True))

@@ -85,7 +85,7 @@ def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> list[str]:
     if not endings:
         if any(map(is_spreadsheet, files)):
             raise wrong("spreadsheet", relation=path)
-        raise SourceError(f"The folder {path} holds no Parquet or CSV file; is it there?")
+        raise SourceError(f"The folder {path} does not exist, or contains no Parquet or CSV file.")
     return [f"{path}**/*{ending}" for ending in sorted(endings)]
 
 

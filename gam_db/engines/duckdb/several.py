@@ -103,7 +103,7 @@ def csv_files(
         by_file[file] = columns
     if not by_file:
         shown = files[0] + f" and {len(files) - 1} more" * (len(files) > 1)
-        raise SourceError(f"{shown} has no rows; it is empty, or there is a header only.")
+        raise SourceError(f"{shown} has no rows; it is empty, or has only a header.")
     check_columns(by_file)
     if len(by_file) > 1:
         dialect.append(reader_option("union_by_name", exp.true()))

@@ -66,7 +66,7 @@ def beside(session: Any) -> Any:
         EngineError: it is stopped, or too old.
     """
     if session.sparkContext._jsc is None or session.sparkContext._jsc.sc().isStopped():
-        raise EngineError("This SparkSession is stopped; start one and give that.")
+        raise EngineError("This SparkSession is stopped; start another one and pass it.")
     return _set(type(session)(session.sparkContext, session._jsparkSession.cloneSession()), session)
 
 

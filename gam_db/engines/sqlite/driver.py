@@ -43,7 +43,9 @@ def connected(target: Any, writable: bool) -> "SqliteDriver":
     if target in ("sqlite://", "sqlite:///:memory:"):
         return SqliteDriver(sqlite3.connect(":memory:", isolation_level=None), owned=True)
     if not target.startswith(_SCHEME):
-        raise EngineError(f"{target} names a server; a SQLite file is sqlite:///PATH, three slashes.")
+        raise EngineError(
+            f"{target} names a server; for a SQLite file write sqlite:///PATH, with three slashes."
+        )
     path = Path(target.removeprefix(_SCHEME))
     if not path.exists() and not (writable and path.parent.is_dir()):
         raise EngineError(f"There is no database file {path}.")
@@ -54,10 +56,10 @@ def connected(target: Any, writable: bool) -> "SqliteDriver":
         )
         connection.execute("SELECT COUNT(*) FROM sqlite_master").fetchall()
     except sqlite3.Error as error:
-        raise EngineError(f"{path} cannot be opened as a SQLite file; is it one?") from error
+        raise EngineError(f"{path} cannot be opened as a SQLite file; is it a SQLite file?") from error
     if writable and not os.access(path, os.W_OK):
         connection.close()
-        raise EngineError(f"{path} cannot be written: you may only read it.")
+        raise EngineError(f"{path} cannot be written: you have only read permission.")
     return SqliteDriver(connection, owned=True)
 
 

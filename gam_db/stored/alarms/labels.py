@@ -163,12 +163,12 @@ def label(
     until: dt.datetime | None = None,
     instead: bool = False,
 ) -> list[int]:
-    """Keep what somebody said of an episode, or of a machine in an interval of time.
+    """Store a label on an episode, or on a machine in an interval of time; return the labelled episodes.
 
     Arguments and result are those of :meth:`gam_db.Monitor.label`; ``kind`` is one of :data:`KINDS`.
 
     Raises:
-        ParameterError: it is about nothing, or contradicts what was said before.
+        ParameterError: there is no such episode or asset, or an earlier label contradicts it.
     """
     monitor = state.monitor(name)
     monitor_id, time = monitor["monitor_id"], kind_of(monitor)
@@ -185,7 +185,7 @@ def label(
             asset = assets[about[0]["channel_id"]]
             ends = about[0]["first_time"], about[0]["last_time"]
         elif asset is None or ends is None:
-            raise ParameterError("A label is about an episode, or about an asset in a time from and to.")
+            raise ParameterError("A label needs an episode, or an asset and an interval of time.")
         else:
             if asset not in assets.values():
                 near = nearest(asset, sorted(set(assets.values())))
@@ -221,10 +221,10 @@ def label(
 
 
 def left_out(state: State, name: str) -> dict[str, list[tuple[Instant, Instant]]]:
-    """Return what labels take out of calibration, by asset: closed intervals, as the source tells time.
+    """Return the closed intervals that labels exclude from calibration, by asset, in source time.
 
-    A decision that replaced another counts alone. An episode counts from its onset, as long as it is
-    now.
+    Only the decision that replaced another one counts. An episode counts from its onset to its current
+    end.
     """
     monitor = next((row for row in state.monitors() if row["name"] == name), None)
     if monitor is None:
@@ -245,7 +245,7 @@ def left_out(state: State, name: str) -> dict[str, list[tuple[Instant, Instant]]
 
 
 def _replaces(later: Row, row: Row) -> bool:
-    """Tell whether a later decision is of the same episode, or of the machine in all that time."""
+    """Tell whether a later decision is on the same episode, or on the machine over all that time."""
     of_it = row["episode_id"] is not None and later["episode_id"] == row["episode_id"]
     around = later["time_from"] <= row["time_from"] and row["time_to"] <= later["time_to"]
     return bool(of_it or (later["asset"] == row["asset"] and around))
@@ -255,9 +255,9 @@ def _check_kind(kind: str, until: dt.datetime | None) -> None:
     if kind not in KINDS:
         raise ParameterError(f"A label is one of {', '.join(KINDS)}, not {kind!r}.")
     if kind == "snoozed" and until is None:
-        raise ParameterError("A snooze needs an end; say until when.")
+        raise ParameterError("A snooze needs an end; set until.")
     if kind in DECISIONS and until is not None:
-        raise ParameterError(f"{kind} has no end; leave out until, or say acknowledged or snoozed.")
+        raise ParameterError(f"{kind} has no end; leave out until, or use acknowledged or snoozed.")
 
 
 def _ticks(span: tuple[Instant, Instant], kind: TimeKind) -> tuple[int, int]:
@@ -278,25 +278,24 @@ def _episode(number: int, records: Sequence[Row]) -> Row:
         raise ParameterError(f"There is no episode {number}; {last}.")
     if row["status"] == "merged":
         raise ParameterError(
-            f"Episode {number} is a part of episode {row['merged_into']} now; label that one."
+            f"Episode {number} is now a part of episode {row['merged_into']}; label that episode."
         )
     if row["status"] == "withdrawn":
         raise ParameterError(
-            f"Episode {number} was withdrawn: data that came later took it back, so there is nothing "
-            "to label."
+            f"Episode {number} was withdrawn because of later data, so there is nothing to label."
         )
     return row
 
 
 def _check_agrees(kind: str, about: Sequence[Row], asset: str, labels: Sequence[Row]) -> None:
-    """Refuse a decision where another one was made of the same episode, or of the machine meanwhile."""
+    """Refuse a decision that contradicts another one on the same episode or time of the machine."""
     decisions = [row for row in reversed(labels) if row["kind"] in DECISIONS]
     for row in about:
         decision = next((decision for decision in decisions if _is_about(decision, row, asset)), None)
         if decision is not None and decision["kind"] != kind:
             raise ParameterError(
-                f"Episode {row['episode_id']} is labelled {decision['kind']} already, which {kind} "
-                "contradicts; if that was wrong, say --instead."
+                f"Episode {row['episode_id']} is already labelled {decision['kind']}, which {kind} "
+                "contradicts; if that was wrong, add --instead."
             )
 
 

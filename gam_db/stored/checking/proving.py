@@ -89,10 +89,12 @@ def verify(state: State, wanted: exp.Table, versions: Sequence[Row]) -> None:
     shown = sorted(f"{names[row['version_id']]!r}: {row['said']}" for row in rows)[:_SHOWN]
     more = f"; and {len(rows) - _SHOWN:,} more" if len(rows) > _SHOWN else ""
     raise StateError(
-        f"What calibration froze in {state.tables}* was changed or damaged since, of {len(rows):,} "
-        f"channel{'s' * (len(rows) != 1)} ({'; '.join(shown)}{more}). Nothing is scored by it. Put the "
-        "tables back from a copy of the database, or learn anew by `gam calibrate --again`; `gam check "
-        "--state` says what else differs."
+        f"Frozen calibration in {state.tables}* was changed or damaged, in {len(rows):,} "
+        f"channel{'s' * (len(rows) != 1)} ({'; '.join(shown)}{more}). gam does not score with it. "
+        "Restore "
+        "the tables from a copy of the database, or calibrate anew by `gam calibrate --again`; "
+        "`gam check "
+        "--state` shows what else differs."
     )
 
 

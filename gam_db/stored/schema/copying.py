@@ -30,28 +30,29 @@ def copy(session: Session, tables: StateTables, path: Path) -> None:
 
     Raises:
         StateError: there is no state, or it is not of this gam-db.
-        SourceError: the file cannot be written, or would not be this copy alone.
-        EngineError: a transaction is open, or the database is no DuckDB file.
+        SourceError: the file cannot be written, or something else uses it.
+        EngineError: a transaction is open, or the database is not a DuckDB file.
     """
     if not isinstance(session, DuckSession):
         raise EngineError(
-            f"{session.engine.title} can be read while it is written: it needs no copy, and has none."
+            f"{session.engine.title} can be read while it is written, so it needs no copy."
         )
     migrations.require(session, tables)
     if path.resolve() in session.files():
-        raise SourceError(f"{path} is open in this session; give the copy a name of its own.")
+        raise SourceError(f"{path} is open in this session; give the copy another name.")
     log = path.with_name(f"{path.name}.wal")
     if log.exists():
         raise SourceError(
-            f"{path} is open in a process that changes it, or was left by one ({log.name} is there); "
-            "give the copy a name of its own."
+            f"{path} is open in a process that changes it, or such a process left it ({log.name} "
+            "exists); "
+            "give the copy another name."
         )
     if not path.parent.is_dir():
-        raise SourceError(f"{path} cannot be written; the folder {path.parent} is not there.")
+        raise SourceError(f"{path} cannot be written; the folder {path.parent} does not exist.")
     if tables.schema is not None and path.stem.casefold() == tables.schema.casefold():
         raise SourceError(
-            f"{path} is called like the schema of the state, and DuckDB could not tell them apart; give "
-            "the copy another name."
+            f"{path} has the same name as the schema of the state, and DuckDB cannot tell them apart; "
+            "give the copy another name."
         )
     unfinished = session.unfinished(path)
     try:

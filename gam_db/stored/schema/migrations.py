@@ -64,7 +64,7 @@ def recorded(session: Session, tables: StateTables, there: Relations) -> tuple[A
     if rows and rows[-1].number > newest and all(_is_file(row) for row in rows if row.number <= newest):
         raise StateError(
             f"The state tables {tables}* were last migrated by gam-db {rows[-1].gam_version} (migration "
-            f"{rows[-1].number}); this is gam-db {__version__}, which knows {newest}. Install "
+            f"{rows[-1].number}); this is gam-db {__version__}, which has {newest} migrations. Install "
             "that version or a newer one."
         )
     return rows
@@ -99,8 +99,8 @@ def status(session: Session, tables: StateTables, there: Relations | None = None
     for name in sorted(name for migration in applied_files for name in migration.definitions):
         if tables.folded(name) not in there:
             raise StateError(
-                f"{tables.shown(name)} was made once and is no longer there; put it back from a copy of "
-                "the database, or make it anew, empty, with what `gam migrate --sql` prints for it."
+                f"{tables.shown(name)} no longer exists; restore it from a copy of the database, or "
+                "create it anew, empty, with the statement that `gam migrate --sql` prints for it."
             )
     for migration in pending:
         for name, about in migration.definitions.items():
@@ -208,24 +208,25 @@ def _check_record(applied: Sequence[Applied], tables: StateTables) -> None:
         if not _is_file(row):
             raise _of_before(tables, row)
         if row.number != place:
-            what = "it is there twice" if row.number < place else f"it lacks number {place}"
+            what = "a number occurs twice" if row.number < place else f"it lacks number {place}"
             raise StateError(
-                f"The record {tables.shown('migration')} was changed by hand: {what}; put it back "
+                f"The record {tables.shown('migration')} was changed by hand: {what}; restore it "
                 "from a copy of the database."
             )
 
 
 def _of_before(tables: StateTables, row: Applied) -> StateError:
     return StateError(
-        f"The state tables {tables}* were made by gam-db {row.gam_version} in another form than gam-db "
-        f"{__version__} has: drop them with `gam drop --yes`, then `gam calibrate` makes them anew."
+        f"gam-db {row.gam_version} made the state tables {tables}* in another form than gam-db "
+        f"{__version__} "
+        "needs: drop them with `gam drop --yes`; then `gam calibrate` makes them anew."
     )
 
 
 def _check_columns(tables: StateTables, name: str, there: Relations, columns: tuple[str, ...]) -> None:
-    """Refuse a table or view that is called like one of ours and has other columns."""
+    """Refuse a table or view that has the name of a state table but other columns."""
     if there[tables.folded(name)] != columns:
         raise StateError(
-            f"There is a {tables.shown(name)} in the database that is no state table of gam-db; give "
-            "another --prefix or --schema, or rename it."
+            f"The {tables.shown(name)} in the database is not a state table of gam-db; give another "
+            "--prefix or --schema, or rename it."
         )

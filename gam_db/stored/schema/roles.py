@@ -84,8 +84,7 @@ class Roles:
             role, equals, name = (word.strip() for word in part.partition("="))
             if role not in ROLES or role in names or not equals:
                 raise ConfigurationError(
-                    f"grants is {text!r}; it is written as owner=NAME,writer=NAME,reader=NAME, each of "
-                    "them once or not at all."
+                    f"grants is {text!r}; write owner=NAME,writer=NAME,reader=NAME, each at most once."
                 )
             names[role] = name
         return cls(**names)
@@ -98,7 +97,7 @@ def before(engine: Engine, tables: StateTables, roles: Roles) -> Iterator[exp.Ex
         EngineError: the engine knows no such statements.
     """
     if engine.home is None:
-        raise EngineError(f"gam-db writes the grants of PostgreSQL only, not of {engine.title}.")
+        raise EngineError(f"gam-db writes grants only for PostgreSQL, not for {engine.title}.")
     schema = exp.Table(db=template.name(tables.schema or engine.home))
     if tables.schema is not None:
         yield exp.Create(this=schema.copy(), kind="SCHEMA", exists=True)

@@ -88,10 +88,10 @@ class StateTables:
         if not isinstance(self.prefix, str) or not _PREFIX.fullmatch(self.prefix):
             raise ConfigurationError(
                 f"prefix is {self.prefix!r}; it takes letters, digits and underscores, at most 40, and "
-                "begins with no digit."
+                "does not begin with a digit."
             )
         if not self.prefix and self.schema is None:
-            raise ConfigurationError("prefix is empty; that takes a schema of its own.")
+            raise ConfigurationError("prefix is empty; without a prefix, give a schema.")
 
     def __str__(self) -> str:
         return self.prefix if self.schema is None else f"{self.schema}.{self.prefix}"

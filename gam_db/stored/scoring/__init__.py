@@ -182,11 +182,11 @@ class Run:
         if end is not None and begin > end:
             raise ParameterError(f"{refused}: that is after its end, {shown_instant(end, kind)}.")
         if newest is None:
-            raise ParameterError(f"{refused}: nothing of these channels is scored yet; leave it out.")
+            raise ParameterError(f"{refused}: these channels have no scores yet; leave it out.")
         if begin > newest:
             raise ParameterError(
                 f"{refused}: the newest stored bucket ends at {shown_instant(newest, kind)}; leave "
-                "it out to score what is new."
+                "it out to score new rows."
             )
 
     def _check_end(self, later: list[Row]) -> None:
@@ -198,9 +198,10 @@ class Run:
         others = f" (and of {len(later) - 1:,} more)" if len(later) > 1 else ""
         begin = shown_instant(first["read_from"], kind)
         raise ParameterError(
-            f"Scoring cannot end at {shown_instant(end, kind)}: of the channel {first['asset']} "
-            f"{first['channel']}{others} nothing is read before {begin}, so what is stored of it would "
-            "stay. Give a later end, or choose other channels by their names."
+            f"Scoring cannot end at {shown_instant(end, kind)}: it reads the channel {first['asset']} "
+            f"{first['channel']}{others} only from {begin} on, so stored buckets before would "
+            "stay. Give "
+            "a later end, or choose other channels by their names."
         )
 
     def _channel_rows(self) -> list[Row]:
@@ -254,9 +255,10 @@ class Run:
         begin = shown_instant(edge - 1, self.reader.kind)
         others = f" (and of {len(lost) - 1:,} more)" if len(lost) > 1 else ""
         raise ParameterError(
-            f"Scoring anew from there would take {count:,} stored buckets away, whose rows are gone "
-            f"from the source: of the channel {first['asset']} {first['channel']}{others} only what "
-            f"comes after {begin} can be made again. Score from there, or confirm the loss (--confirm)."
+            f"Scoring anew from there would remove {count:,} stored buckets whose rows are gone "
+            "from the "
+            f"source: the channel {first['asset']} {first['channel']}{others} can be scored again only "
+            f"after {begin}. Score from there, or confirm the loss (--confirm)."
         )
 
 

@@ -23,7 +23,7 @@ export function markChart(made, signal) {
 }
 
 function said(one) {
-  const label = one.label ? one.label.replace('_', ' ') : one.proving ? 'in its first windows: asks for a decision' : 'none yet';
+  const label = one.label ? one.label.replace('_', ' ') : one.proving ? 'in its first windows: needs a decision' : 'none yet';
   return one.note ? [`${label}: `, named(one.note)] : [label];
 }
 
@@ -36,12 +36,12 @@ export function list(of, titled) {
     el('td', {}, `${whole.format(one.id)}, ${one.status}`), el('td', {title: when(one.since)}, shortly(one.since)), el('td', {}, one.status === 'open' ? `goes on (${lasting(FRAME.last - one.since)})` : shortly(one.last)),
     el('td', {title: `opens at ${whole.format(one.height)}`}, one.height > 1 ? `${(one.evidence / one.height).toFixed(1)} times the threshold` : 'by its indicator'), el('td', {}, said(one)));
   const open = found.filter(one => one.status === 'open').length, more = found.length > SHOWN ? `; the first ${SHOWN} are shown` : '';
-  return [titled('Alarms', `${open ? `${plural(open, 'episode')} open` : 'none open'}, ${whole.format(found.length)} in all${more}; ${of ? 'a dark bar marks each above' : 'a dark bar below a strip marks each'}`),
+  return [titled('Alarms', `${open ? `${plural(open, 'episode')} open` : 'none open'}, ${whole.format(found.length)} in all${more}; ${of ? 'dark bars above mark them' : 'dark bars below the strips mark them'}`),
     of || !D.promise ? null : el('p', {class: 'lead promise'}, D.promise),
     el('div', {class: 'table alarms', tabindex: '0', role: 'region', 'aria-label': 'Episodes of alarms'}, el('table', {}, el('thead', {}, el('tr', {}, head.map(text => el('th', {scope: 'col'}, text)))), el('tbody', {}, found.slice(0, SHOWN).map(row))))].filter(Boolean);
 }
 
-/** What is found of the open episode of a signal, and what to do next; nothing where there is none. */
+/** The finding on the open episode of a signal, and what to do next; null where none is open. */
 export function advice(signal) {
   const one = signal.alarms.find(one => one.status === 'open' && one.finding);
   return one ? el('p', {class: 'state advice', 'data-advice': one.id}, el('b', {}, el('bdi', {}, one.finding)), ' ', el('bdi', {}, one.advice)) : null;

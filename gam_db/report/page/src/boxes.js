@@ -16,7 +16,7 @@ export function drawBoxes(place, healthy, fresh, signal, ago, isStill) {
   const test = document.createElement('canvas');
   let renderer = null;
   if (test.getContext('webgl2')) try { renderer = new WebGLRenderer({antialias: true, alpha: true, preserveDrawingBuffer: true}); } catch { renderer = null; }
-  if (!renderer) { place.classList.add('without'); place.append(el('p', {class: 'note'}, 'This browser draws nothing in three dimensions (WebGL is off): the flat pictures show the same states.')); return; }
+  if (!renderer) { place.classList.add('without'); place.append(el('p', {class: 'note'}, 'This browser cannot draw in three dimensions (WebGL is off): the flat pictures show the same states.')); return; }
   const wide = place.clientWidth, high = place.clientHeight, codes = signal.bins + 3, mid = codes / 2;
   renderer.setPixelRatio(Math.min(2, devicePixelRatio)); renderer.setSize(wide, high);
   renderer.domElement.setAttribute('aria-hidden', 'true');

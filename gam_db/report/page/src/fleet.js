@@ -5,7 +5,7 @@ import {CALIBRATION, PAUSE, column, drawStrip, heat, rgb, stripInto, theme, byte
 import {el, linkOf, named, showTip} from './dom.js';
 import {list as alarmList, markStrip} from './alarms.js';
 
-/** What is chosen, kept while signals are looked at. */
+/** The filters of the list; they stay while the user looks at signals. */
 export const chosen = {state: null, text: '', byWorst: false, open: new Set(), scroll: 0};
 
 const lately = D.counter ? 'in the last windows' : 'in the last day, or three windows';
@@ -21,15 +21,15 @@ export function heading() {
 export function foot() {
   const made = new Date(D.made / 1000).toISOString().slice(0, 16).replace('T', ' ');
   return el('footer', {class: 'note'}, `gam-db ${D.version}, monitor `, named(D.monitor), `, page made ${made} UTC.`,
-    D.validity ? ` ${percent(D.validity.invalid / D.validity.held)} of the ${plural(D.validity.held, 'reading')} of the newest run do not meet valid_when: missing samples.` : '',
+    D.validity ? ` ${percent(D.validity.invalid / D.validity.held)} of the ${plural(D.validity.held, 'reading')} of the newest run do not meet valid_when and count as missing samples.` : '',
     D.noRaw ? ` Raw readings are not in this file: ${D.noRaw}.` : '');
 }
 
 function sentence() {
   const hot = machines.filter(machine => machine.above).length;
-  if (!hot) return el('h1', {}, counts.unjudged === signals.length ? 'No signal can be judged yet.' : D.watched === 0 ? 'No signal is watched now: see the data problems.' : 'Every signal that can be judged moves as it did when healthy.');
-  return el('h1', {}, el('em', {}, `${whole.format(hot)} of ${plural(machines.length, 'machine')}`), ` go${hot === 1 ? 'es' : ''} where ${hot === 1 ? 'it' : 'they'} never went in health`,
-    counts.fresh ? `; ${plural(counts.fresh, 'signal')} left ${lately}.` : `; none of them left ${lately}.`);
+  if (!hot) return el('h1', {}, counts.unjudged === signals.length ? 'No signal can be judged yet.' : D.watched === 0 ? 'No signal is watched now: see the data problems.' : 'Every signal that can be judged behaves as in calibration.');
+  return el('h1', {}, el('em', {}, `${whole.format(hot)} of ${plural(machines.length, 'machine')}`), ` ${hot === 1 ? 'is in states that it' : 'are in states that they'} never visited while healthy`,
+    counts.fresh ? `; ${plural(counts.fresh, 'signal')} went above ${counts.fresh === 1 ? 'its' : 'their'} limit ${lately}.` : `; no signal went above its limit ${lately}.`);
 }
 
 const TILES = [
@@ -40,11 +40,11 @@ const TILES = [
 /** Most data problems of a list; gam status --all has the rest. */
 const LISTED = 20;
 
-/** What is wrong with the data, apart from what machines do. */
+/** The section of data problems, apart from the states of machines. */
 function lacking() {
   const {sentence, advice, kind} = D.problems, many = sentence.length;
   if (!many) return [];
-  return [el('section', {class: 'problems', 'aria-label': 'Data problems'}, headOf('Data problems', `${plural(many, 'problem')} of the data, not of a machine${many > LISTED ? `; the first ${LISTED} are shown` : ''}`),
+  return [el('section', {class: 'problems', 'aria-label': 'Data problems'}, headOf('Data problems', `${plural(many, 'problem')} with the data, not with a machine${many > LISTED ? `; the first ${LISTED} are shown` : ''}`),
     el('ul', {}, sentence.slice(0, LISTED).map((text, place) => el('li', {'data-kind': kind[place]}, el('b', {}, el('bdi', {}, text), '.'), ` ${advice[place]}`))))];
 }
 
@@ -61,7 +61,7 @@ export function drawFleet(app, again) {
     onclick: () => { chosen.state = chosen.state === name ? null : name; chosen.scroll = 0; press(); build(); }}, el('b', {}, whole.format(counts[name])), el('span', {}, text));
   const tiles = el('div', {class: 'tiles', role: 'group', 'aria-label': 'Show only'}, TILES.map(tile));
   const press = () => tiles.querySelectorAll('button').forEach(button => button.setAttribute('aria-pressed', String(button.dataset.count === chosen.state)));
-  const lead = el('p', {class: 'lead'}, 'A new state is not damage by itself: a new program or a warm-up is new, too.',
+  const lead = el('p', {class: 'lead'}, 'A new state is not necessarily damage: a new program or a warm-up also brings new states.',
     counts.unjudged ? ` ${plural(counts.unjudged, 'signal')} cannot be judged and never alarm${counts.unjudged === 1 ? 's' : ''} (${reasons()}).` : '');
   const [section, build, jump] = list();
   const map = heatMap(machine => { chosen.open.add(machine.number); chosen.state = null; chosen.text = ''; press(); build(); jump(machine); }, again);
@@ -71,7 +71,7 @@ export function drawFleet(app, again) {
 
 function heatMap(pick, again) {
   const many = machines.length, high = Math.max(many > 200 ? 1 : 2, Math.min(24, Math.floor(460 / many)));
-  const canvas = el('canvas', {class: 'heat', role: 'img', 'aria-label': 'Heat map: a row for each machine, time from left to right. The list below says the same in words.', style: {height: `${many * high}px`}});
+  const canvas = el('canvas', {class: 'heat', role: 'img', 'aria-label': 'Heat map: a row for each machine, time from left to right. The list below has the same content in words.', style: {height: `${many * high}px`}});
   canvas.width = D.columns; canvas.height = many * high;
   const context = canvas.getContext('2d'), image = context.createImageData(D.columns, many * high), [r, g, b] = theme().ground;
   for (let i = 0; i < image.data.length; i += 4) { image.data[i] = r; image.data[i + 1] = g; image.data[i + 2] = b; image.data[i + 3] = 255; }
@@ -89,7 +89,7 @@ function heatMap(pick, again) {
   canvas.addEventListener('click', event => pick(at(event)[0]));
   const choice = (text, byWorst) => el('button', {'aria-pressed': String(chosen.byWorst === byWorst), onclick: () => { chosen.byWorst = byWorst; again(); }}, text);
   return el('section', {'aria-label': 'The fleet over time'},
-    el('div', {class: 'head'}, el('h2', {}, 'The fleet over time'), el('span', {class: 'note'}, 'a row is a machine, the most urgent first; click one to see its signals'),
+    el('div', {class: 'head'}, el('h2', {}, 'The fleet over time'), el('span', {class: 'note'}, 'a row is a machine, the most urgent first; click a row to see its signals'),
       el('span', {class: 'seg', role: 'group', 'aria-label': 'Colour'}, choice('how many signals are above', false), choice('how far the worst is above', true))),
     el('div', {class: 'glance'}, names, canvas, el('div'), axis()), legend());
 }
@@ -97,11 +97,11 @@ function heatMap(pick, again) {
 function told(machine, x) {
   const found = column(machine.signals, x);
   const time = when(FRAME.first + (x + 0.5) * FRAME.span / D.columns);
-  let said = found.other === CALIBRATION ? 'calibration: what healthy means was learnt here' : found.other === PAUSE ? 'a pause: nothing was measured' : 'no data';
+  let said = found.other === CALIBRATION ? 'calibration: the healthy states were learnt here' : found.other === PAUSE ? 'a pause: no readings' : 'no data';
   if (found.judged) {
     const worst = machine.signals.filter(signal => signal.limit != null && byteOf(signal, x) === found.worst)[0];
     said = `${found.above} of ${found.judged} judged signals above their limit` + (found.above && worst ? `\nfurthest: ${worst.name}` : '');
-  } else if (found.unjudged) said = 'data, but no signal that can be judged';
+  } else if (found.unjudged) said = 'data, but no signal can be judged';
   return `${machine.name}\n${time}\n${said}`;
 }
 
@@ -122,7 +122,7 @@ function legend() {
 
 const PRINTED = 500;
 
-/** The signals of a machine that are listed unasked: all that are above, else the first that rise. */
+/** The signals of a machine that the list shows at first: all that are above, else the first that rise. */
 function shownOf(members) {
   const above = members.filter(signal => signal.above);
   return above.length ? above : members.filter(signal => signal.rising).slice(0, 3);

@@ -1,4 +1,4 @@
-// The page of a signal: where it went, when, and whether healthy data is enough to say so.
+// The page of a signal: its states, their times, and whether the healthy data is sufficient.
 import {D, FRAME, signals, unpack, unpackTimes} from './data.js';
 import {percent, plural, reading, sentence, share, when, whole} from './words.js';
 import {heat, rgb, stripInto, theme} from './colour.js';
@@ -25,8 +25,8 @@ export async function drawSignal(app, signal, isStill) {
     const canvas = el('canvas', {class: 'alone', role: 'img', 'aria-label': 'The course of the indicator'});
     stripInto(canvas, [signal], false, 24);
     markStrip(canvas, [signal]);
-    main.append(titled('Its course', 'by its indicator; grey: below the limit of that; colour: above it'), el('div', {class: 'strip tall'}, canvas), ...alarmList(signal, titled),
-      el('p', {class: 'lead'}, 'This page shows the most urgent signals in detail, and this is none of them. To see it: ', el('code', {}, `gam report --signal ${shell(`${signal.machine.name}/${signal.name}`)}`)));
+    main.append(titled('Its course', 'the indicator; grey: below its limit; colour: above'), el('div', {class: 'strip tall'}, canvas), ...alarmList(signal, titled),
+      el('p', {class: 'lead'}, 'This page shows only the most urgent signals in detail, and not this one. To see it: ', el('code', {}, `gam report --signal ${shell(`${signal.machine.name}/${signal.name}`)}`)));
     return;
   }
   const time = await unpackTimes(known.time), begins = await unpackTimes(known.first), hi = await unpack(known.hi, Float64Array);
@@ -59,10 +59,10 @@ function facts(signal) {
   const fact = (value, text) => el('div', {}, el('b', {}, value), el('span', {}, text));
   return el('div', {class: 'facts'},
     fact(share(signal.hi), `indicator now: share of new states in the last ${whole.format(signal.window)} scored`),
-    fact(share(signal.limit), signal.limit == null ? 'no limit: nothing to judge by' : `limit of the indicator: the most that healthy data lets expect${signal.by === 'episode' ? '; this signal is judged by its episodes' : ''}`),
+    fact(share(signal.limit), signal.limit == null ? 'no limit: the signal cannot be judged' : `limit of the indicator: the highest value to expect of healthy data${signal.by === 'episode' ? '; this signal is judged by its episodes' : ''}`),
     fact(share(signal.floor), 'floor: what a healthy machine would show'),
     ...signal.machineFloor == null ? [] : [fact(share(signal.machineFloor), `floor by leaving one machine out; taught by ${signal.teachers}`)],
-    fact(signal.sees == null ? '–' : `${signal.sees} %`, 'the smallest shift of its usual range that the indicator would show, if the machine works as in calibration'),
+    fact(signal.sees == null ? '–' : `${signal.sees} %`, 'the smallest shift, in percent of its usual range, that the indicator would show while the machine works as in calibration'),
     fact(percent(signal.outside), 'of the new states lie outside the calibrated range'),
     fact(signal.low == null ? '–' : `${reading(signal.low)} … ${reading(signal.high)}`, 'calibrated range'),
     fact(whole.format(signal.cells), `healthy states, learnt from ${plural(signal.vectors, 'vector')}; calibration ${signal.version}`));
@@ -79,9 +79,9 @@ function host(words) { return el('div', {class: 'chart', role: 'img', 'aria-labe
 
 function indicator(main, signal, time, hi, seen, novel, outside) {
   const place = host(`Indicator over time, now ${share(signal.hi)}, limit ${share(signal.limit)}`);
-  main.append(titled('Health indicator', '0: all states were seen in health; 1: none was'), place);
+  main.append(titled('Health indicator', '0: all states occurred in calibration; 1: none did'), place);
   const highest = hi.reduce((a, b) => b > a ? b : a, 0);
-  if (!time.length || hi.every(Number.isNaN)) { place.replaceWith(el('p', {class: 'lead'}, `No indicator yet: it takes ${whole.format(signal.window)} scored readings.`)); return; }
+  if (!time.length || hi.every(Number.isNaN)) { place.replaceWith(el('p', {class: 'lead'}, `No indicator yet: it needs ${whole.format(signal.window)} scored readings.`)); return; }
   const top = Math.min(1, Math.max(2.2 * (signal.limit ?? 0.05), 1.12 * highest)), limit = signal.limit ?? top;
   const fill = made => {
     const {ctx} = made, bottom = made.valToPos(0, 'y', true), roof = made.valToPos(top, 'y', true);
@@ -100,7 +100,7 @@ function indicator(main, signal, time, hi, seen, novel, outside) {
       markChart(it, signal);
       across(it, signal.limit, css('--ink'), [6, 4], `limit ${share(signal.limit)}`);
       if (signal.floor != null && (signal.limit ?? 1) - signal.floor > 0.09 * top) across(it, signal.floor, css('--soft'), [2, 3], `floor ${share(signal.floor)}`, true);
-      upright(it, signal.since, css('--hot'), 'left health');
+      upright(it, signal.since, css('--hot'), 'onset');
     }]}}, [xs, ys]);
   place.dataset.since = String(signal.since);
   hover(place, made, at => { const i = place_of.get(xs[at]); return i === undefined ? null : `${when(time[i])}\nindicator ${share(hi[i])}${signal.limit == null ? '' : `, limit ${share(signal.limit)}`}\nnew in this bucket: ${novel[i]} of ${signal.stride}, ${outside[i]} of them out of range`; });
@@ -126,7 +126,7 @@ async function pieces(main, signal, known) {
   if (least > most) return;
   const room = (most - least) * 0.07 || 1, both = el('div', {class: 'two'});
   main.append(both);
-  const titles = [['Healthy', `the last ${whole.format(found[0][0].length)} readings of calibration`], [signal.above ? 'When it left' : 'At its highest', 'marked: readings that end in a state never seen in health']];
+  const titles = [['Healthy', `the last ${whole.format(found[0][0].length)} readings of calibration`], [signal.above ? 'At the onset' : 'At its highest', 'marked: readings that end in a state that calibration never visited']];
   found.forEach(([time, values, isNew], which) => {
     const place = host(titles[which].join(', '));
     both.append(el('div', {}, titled(...titles[which]), place));
@@ -141,11 +141,11 @@ async function pieces(main, signal, known) {
   });
 }
 
-/** The floor by grid: what a healthy machine would show if the grid were coarser. */
+/** The floor by grid: the indicator of a healthy machine if the grid were coarser. */
 function ladder(main, signal, grids) {
   const place = host('Floor by number of bins');
   main.append(titled('Would a coarser grid need less healthy data?', `the floor by bins per axis; this calibration has ${signal.bins}`), place);
-  if (!grids.length) { place.replaceWith(el('p', {class: 'lead'}, signal.verdict === 'no_data' ? 'There is no calibration.' : 'This calibration is older than the table of floors by grid; a new one (gam calibrate) has it.')); return; }
+  if (!grids.length) { place.replaceWith(el('p', {class: 'lead'}, signal.verdict === 'no_data' ? 'There is no calibration.' : 'This calibration has no floors by grid; calibrate again (gam calibrate) to get them.')); return; }
   place.dataset.ladder = JSON.stringify(grids);
   const floors = grids.map(one => one[1]);
   chart(place, {height: 150, cursor: {show: false}, scales: {x: {time: false, range: [-0.7, floors.length - 0.3]}, y: {range: (_, a, b) => [0, Math.max(b, signal.target) * 1.25]}},
@@ -166,13 +166,13 @@ async function certificate(main, signal, known, seen) {
       series: [{}, {stroke: css('--healthy'), fill: css('--healthy') + 'aa', paths: uPlot.paths.bars({size: [0.7, 44]}), points: {show: false}}],
       axes: [{values: (_, at) => at.map(x => Number.isInteger(x) && x < shares.length ? String(known.blocks[x]?.[0] + 1) : '')}, numberAxis()],
       hooks: {draw: [it => { across(it, signal.limit, css('--ink'), [6, 4], 'limit'); across(it, signal.floor, css('--soft'), [2, 3], (signal.limit ?? 1) - (signal.floor ?? 0) > 0.01 ? 'floor' : null); }]}}, [shares.map((_, i) => i), shares]);
-  } else blocks.replaceWith(el('p', {class: 'lead'}, 'Calibration has too few blocks of one window to judge one by the others.'));
+  } else blocks.replaceWith(el('p', {class: 'lead'}, 'Calibration has too few blocks of one window to judge a block by the others.'));
   const time = await unpackTimes(known.growth.time), healthy = await unpack(known.growth.healthy, Uint32Array), fresh = await unpack(known.growth.new, Uint32Array);
   if (time.length > 1) {
     chart(growth, {height: 190, cursor: {show: false}, scales: {x: {time: false, range: () => [FRAME.first, FRAME.last]}, y: {range: (_, a, b) => [0, b * 1.1 || 1]}},
       series: [{}, {stroke: css('--novel'), width: 1.5, fill: css('--novel') + '55', points: {show: false}}, {stroke: css('--healthy'), width: 1.5, fill: css('--healthy') + 'cc', points: {show: false}}],
       axes: [timeAxis(4), numberAxis()], hooks: {drawAxes: [marks({...seen, pauses: []})]}}, [time, Array.from(healthy, (n, i) => n + fresh[i]), healthy]);
-  } else growth.replaceWith(el('p', {class: 'lead'}, 'Nothing is scored yet.'));
-  main.append(el('p', {class: 'note'}, 'Wear keeps adding states; a changed program adds its own at once and then stops.'));
+  } else growth.replaceWith(el('p', {class: 'lead'}, 'No scores yet.'));
+  main.append(el('p', {class: 'note'}, 'Wear keeps adding states; a changed program adds its states at once and then stops.'));
   ladder(main, signal, known.ladder);
 }

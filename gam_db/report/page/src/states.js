@@ -23,10 +23,10 @@ export async function drawStates(main, titled, signal, known, isStill) {
   const ago = k => k === 0 ? 'now' : k * signal.tau === 1 ? 'one reading before' : `${k * signal.tau} readings before`;
   const axes = healthy.axes.length, more = signal.m > 3 ? `; the first three of ${signal.m} axes are shown` : '';
   const said = signal.m === 1 ? 'a state is one reading' : signal.m === 2 ? `a state is the reading now and the one ${ago(1)}` : `a state is the reading now and ${signal.m - 1} before, ${plural(signal.tau, 'reading')} apart`;
-  main.append(titled('Where it goes', `${said}; ${whole.format(healthy.all)} healthy, ${whole.format(fresh.all)} new${more}`));
-  if (!healthy.all && !fresh.all) { main.append(el('p', {class: 'lead'}, 'No state is known yet.')); return; }
+  main.append(titled('States', `${said}; ${whole.format(healthy.all)} healthy, ${whole.format(fresh.all)} new${more}`));
+  if (!healthy.all && !fresh.all) { main.append(el('p', {class: 'lead'}, 'No states yet.')); return; }
   const flats = el('div', {class: 'flats'}), table = el('div', {class: 'table', tabindex: '0', role: 'region', 'aria-label': 'The new states it visits most'});
-  const key = el('p', {class: 'note key'}, el('i', {style: {background: css('--healthy')}}), 'healthy, darker where it is more often', el('i', {style: {background: rgb(heat(0.5))}}), 'new since; frame: the calibrated range');
+  const key = el('p', {class: 'note key'}, el('i', {style: {background: css('--healthy')}}), 'healthy; darker means more visits', el('i', {style: {background: rgb(heat(0.5))}}), 'new; frame: the calibrated range');
   const side = el('div', {}, flats, key, table);
   const cube = el('div', {class: 'cube', role: 'group', 'aria-label': 'Healthy and new states in three dimensions; the flat pictures and the table have the same content'});
   main.append(el('div', {class: axes > 2 ? 'space' : ''}, axes > 2 ? cube : null, side));

@@ -66,40 +66,40 @@ export const since = (signal, as = when) => `${signal.atLeast ? 'at least since'
 
 /** What to do about a signal that would show no shift, by the reason. */
 const BLIND = {
-  range: 'most readings lie in a small part of its range: take values that are none out by --null, or their time by --exclude',
-  blocks: 'parts of its calibration differ from each other: calibrate longer, or take a window of whole cycles',
-  cells: 'its grid tells too little: take --bins auto',
-  delay: 'the samples of a vector are too alike: take --tau auto --bins auto',
+  range: 'most readings lie in a small part of its range: use --null for values that are not readings, or --exclude for their time',
+  blocks: 'parts of its calibration differ from each other: calibrate longer, or use a window of whole cycles',
+  cells: 'its grid does not fit the signal: use --bins auto',
+  delay: 'the samples of a vector are too similar: use --tau auto --bins auto',
 };
 
 /** Why a signal cannot be judged, and what to do; two short sentences. */
 export function unjudged(signal) {
-  if (signal.status === 'setup' && (signal.verdict === 'ready' || signal.verdict === 'blind')) return ['its calibration was no fair sample of what followed', 'calibrate longer, or later'];
+  if (signal.status === 'setup' && (signal.verdict === 'ready' || signal.verdict === 'blind')) return ['its calibration was not a fair sample of what followed', 'calibrate longer, or later'];
   if (signal.status === 'standing') return ['it stands still', 'it is judged again once it moves'];
   if (signal.status === 'blind') return ['it would show no shift of its machine', BLIND[signal.blind]];
   switch (signal.verdict) {
-    case 'constant': return ['it did not move while it was calibrated', 'it never raises an alarm; calibrate it over a time in which it moves'];
-    case 'no_data': return ['no usable reading in calibration', 'look at the calibration interval and at missing values'];
-    case 'too_fine': return ['the grid is too fine for this little calibration', signal.finest ? `take --bins ${signal.finest} or fewer, or calibrate longer` : 'calibrate longer'];
+    case 'constant': return ['it was constant in calibration', 'it never raises an alarm; calibrate it over a time in which it moves'];
+    case 'no_data': return ['no usable reading in calibration', 'check the calibration interval and missing values'];
+    case 'too_fine': return ['the grid is too fine for so short a calibration', signal.finest ? `use --bins ${signal.finest} or fewer, or calibrate longer` : 'calibrate longer'];
     case 'not_vouched': return [signal.vouching, 'name more machines of its pool as healthy'];
     case 'needs_data': return ['calibration is too short', signal.needed ? `about ${whole.format(signal.needed)} more vectors are needed` : 'calibrate longer'];
     default: return ['no full window is scored yet', `wait for ${whole.format(signal.window)} scored readings`];
   }
 }
 
-/** What a signal that is above its limit is judged by, in words. */
+/** The episode or indicator by which a signal is above its limit, in words. */
 export const judgedBy = signal => signal.episode == null ? 'by its indicator' : `episode ${signal.episode}${signal.status === 'proving' ? ', proving' : signal.by === 'indicator' ? ', by its indicator' : ''}${signal.label ? `, labelled ${signal.label.replace('_', ' ')}` : ''}`;
 
 /** How far the indicator of a signal is above its limit. */
 const far = signal => signal.far ? 'far ' : '';
 
-/** What of a frozen sensor, half a stroke and another speed a signal would not show. */
+/** The changes (a frozen sensor, half a stroke, another speed) that a signal would not show. */
 const unseen = signal => signal.unseen ? `; would not see ${signal.unseen}` : '';
 
-/** By which machines a signal is judged that taught its pool nothing; nothing of one that is not judged. */
+/** The machines whose calibration judges a signal that taught its pool nothing; empty if it is not judged. */
 const vouched = signal => signal.vouching && signal.verdict !== 'not_vouched' ? `; ${signal.vouching}` : '';
 
-/** What is to be said of a signal in a line. */
+/** The state of a signal in one line. */
 export function brief(signal) {
   const silent = signal.silent == null ? '' : ` · silent for ${lasting(signal.silent)}`;
   if (!signal.judged) return `not judged: ${unjudged(signal)[0]}${silent}`;
@@ -110,8 +110,8 @@ export function brief(signal) {
 
 export function sentence(signal) {
   if (!signal.judged) { const [why, what] = unjudged(signal); return `${why}; ${what}.`; }
-  if (signal.above) return `goes where it never went in health ${since(signal)}, and is above its limit (${judgedBy(signal)}); its new states lie ${side(signal.outside) || 'in range'}${vouched(signal)}.`;
+  if (signal.above) return `visits states that it never visited while healthy ${since(signal)}, and is above its limit (${judgedBy(signal)}); its new states lie ${side(signal.outside) || 'in range'}${vouched(signal)}.`;
   if (signal.labelled) return `${judgedBy(signal)}, so it is not counted as above its limit${vouched(signal)}.`;
-  if (signal.over) return `its indicator is ${far(signal)}above its limit, and no episode opened so far${vouched(signal)}.`;
-  return signal.rising ? `below its limit, and rising${vouched(signal)}.` : `moves as it did in calibration${unseen(signal)}${vouched(signal)}.`;
+  if (signal.over) return `its indicator is ${far(signal)}above its limit, but no episode opened so far${vouched(signal)}.`;
+  return signal.rising ? `below its limit, and rising${vouched(signal)}.` : `behaves as in calibration${unseen(signal)}${vouched(signal)}.`;
 }
