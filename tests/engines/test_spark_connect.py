@@ -227,8 +227,8 @@ def test_the_address_of_no_server() -> None:
 @pytest.mark.parametrize(
     ("rest", "message"),
     [
-        ("", "is no address of a Spark Connect server"),
-        ("me@HOST", "is no address of a Spark Connect server"),
+        ("", "is not an address of a Spark Connect server"),
+        ("me@HOST", "is not an address of a Spark Connect server"),
         ("HOST/a/folder", "cannot be opened: .*must be empty"),
         ("HOST/;token=se@cret;odd", "cannot be opened: .*key-value pair"),
         ("HOST/;session_id=7;token=se@cret", "cannot be opened"),
