@@ -198,12 +198,7 @@ SMALL = gam_db.Parameters(m=1, tau=1, bins=4, window=5)
         ("INTEGER", "REAL", (50, "0x10"), "not numbers: the first is '0x10'"),
         ("INTEGER", "NUMERIC", (50, "5%"), "not numbers: the first is '5%'"),
         ("INTEGER", "REAL", (50, ""), "not numbers: the first is ''"),
-        (
-            "INTEGER",
-            "REAL",
-            (1.5, 1.0),
-            "'time', declared INTEGER, are not integers: the first is '1.5'",
-        ),
+        ("INTEGER", "REAL", (50, b"5"), "not numbers"),
         ("INTEGER", "BOOLEAN", (50, "TRUE"), "are not 0 or 1: the first is 'TRUE'"),
         (
             "INTEGER",
