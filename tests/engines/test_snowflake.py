@@ -169,17 +169,17 @@ def test_a_run_leaves_what_gam_score_leaves(name: str) -> None:
         plants = Plants(
             connection, name, readings("abc", 0, 120), *runs.MIXED, alarms, lookback=30, park_after=60
         )
+        seen: set[str] = set()
         for rows in COURSE:
             plants.arrive(rows)
             plants.score()
-        stored = runs.stored(plants.run)
-    assert len(stored["bucket"]) > 100
-    assert all(stored[table] for table in ("novel", "judgement", "unplaced", "left_out"))
+            seen |= {table for table, found in runs.stored(plants.run).items() if found}
+    assert seen == runs.TABLES.keys() - {"proof"}, "what is due once a day is not due here"
 
 
 @pytest.mark.full
 @pytest.mark.parametrize("name", RELATIVES)
-@pytest.mark.parametrize(("kind", "seed"), [("still samples", 0), ("pools", 1), ("pauses", 0)])
+@pytest.mark.parametrize(("kind", "seed"), [("still samples", 0), ("pools", 1), ("pauses", 2)])
 def test_a_history_leaves_what_gam_score_leaves(kind: str, seed: int, name: str) -> None:
     told: History = history(kind, seed, 5)
     method = harness.made(told.parameters, told.calibration)
