@@ -166,4 +166,4 @@ def test_help_says_whose_rights_a_condition_has() -> None:
     for command in ("run", "check", "calibrate"):
         said = " ".join(invoked(command, "--help").stdout.replace("│", " ").split())
         assert "SQL that runs with your rights" in said
-        assert "a connection that you lend" in said
+        assert "your own connection" in said

@@ -101,7 +101,9 @@ def test_a_time_far_down_a_file_is_read_whole_or_named(word: str, tmp_path: Path
     relation, _ = as_csv(tmp_path, [*series(ISO, ROWS), word], [1] * (ROWS + 1))
     with pytest.raises(SourceError, match=f"1 of 30,001 values do not fit, the first is '{word}'"):
         read(relation)
-    with pytest.raises(SourceError, match="1 of 73 values"):  # a condition on times does not leave it out
+    with pytest.raises(
+        SourceError, match="1 of 73 values"
+    ):  # a condition on times does not leave it out
         read(relation, where="time < TIMESTAMP '2026-03-04'")
 
 
@@ -198,7 +200,12 @@ SMALL = gam_db.Parameters(m=1, tau=1, bins=4, window=5)
         ("INTEGER", "REAL", (50, ""), "not numbers: the first is ''"),
         ("INTEGER", "REAL", (50, b"5"), "not numbers"),
         ("INTEGER", "BOOLEAN", (50, "TRUE"), "are not 0 or 1: the first is 'TRUE'"),
-        ("INTEGER", "REAL", (1.5, 1.0), "'time', declared INTEGER, are not integers: the first is '1.5'"),
+        (
+            "INTEGER",
+            "REAL",
+            (1.5, 1.0),
+            "'time', declared INTEGER, are not integers: the first is '1.5'",
+        ),
         ("INTEGER", "REAL", ("7 of 9", 1.0), "are not integers: the first is '7 of 9'"),
     ],
 )
