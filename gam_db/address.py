@@ -71,7 +71,7 @@ def check(address: str) -> None:
     try:
         urlsplit(address)
     except ValueError:
-        # Not chained: what is said quotes the address.
+        # Not chained: the message quotes the address.
         raise wrong("unreadable_address") from None
     scheme, _, rest = address.partition("://")
     is_file = rest.startswith("/")

@@ -124,7 +124,7 @@ NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 
 
 def unwritable(path: object, error: OSError, otherwise: type[UserError] | None = None) -> UserError:
-    """Return the error of an unwritable file: FullError, or ``otherwise`` if there is room."""
+    """Return the error on a file that cannot be written: FullError, or ``otherwise``."""
     if error.errno in NO_ROOM:
         return FullError(
             f"{path} cannot be written: its disk is full, or a quota is reached. No file is half "

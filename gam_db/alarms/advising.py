@@ -1,4 +1,4 @@
-"""Advice: what the figures of an episode say, and what to do next, in a sentence each.
+"""Advice: a sentence on the figures of an episode, and a sentence on what to do next.
 
 No cause is named: on simulated machines names of causes were right in 56 % of cases. The one exception
 is a signal that moved as a whole, where that explains nine tenths of the novelty. This module owns the
@@ -20,14 +20,14 @@ _WORDS = table("gam_db.alarms", "advice.toml")
 
 
 class Advice(NamedTuple):
-    """What is found, and what to do next; a sentence each."""
+    """A finding, and what to do next; a sentence each."""
 
     finding: str
     advice: str
 
 
 class Signs(NamedTuple):
-    """What the figures of one episode come to; None where they do not tell.
+    """Signs derived from the figures of one episode; None where the figures do not decide.
 
     Attributes:
         course: step, growth, short, or pruned.
@@ -43,7 +43,7 @@ class Signs(NamedTuple):
 
 
 def signs_of(row: Mapping[str, Any]) -> Signs:
-    """Return what the figures of one episode come to."""
+    """Return the signs of the figures of one episode."""
     novel, highest = row["novel"], row["highest_novel"]
     course, place, reach = "pruned", None, None
     if highest is not None:
@@ -59,7 +59,7 @@ def signs_of(row: Mapping[str, Any]) -> Signs:
 
 
 def advise(rows: Sequence[Mapping[str, Any]]) -> Advice:
-    """Return what is to be said of episodes of one machine that belong together, or of one alone.
+    """Return the advice on related episodes of one machine, or on a single one.
 
     Args:
         rows: at least one; each a row of episodes (gam_db/stored/alarms) with its figures.

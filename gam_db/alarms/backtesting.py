@@ -56,7 +56,7 @@ def backtest(
 
     Raises:
         ParameterError: no judgement lies in the healthy time, or an interval is none.
-        UserError: see its subclasses; the message says what to mend.
+        UserError: see its subclasses; the message says what to correct.
     """
     alarms = alarms or Alarms()
     with studied(source, parameters, calibration, engine) as study:

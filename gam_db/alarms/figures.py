@@ -1,7 +1,6 @@
-"""Figures of episodes: how they came, where they went, and what a change of the whole signal explains.
+"""Figures of episodes: their course, their states, and what a change of the whole signal explains.
 
-This module owns which figures an episode has; what they come to in words is said by
-:mod:`gam_db.alarms.advising`.
+This module owns the figures of an episode; :mod:`gam_db.alarms.advising` words them.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -56,15 +55,15 @@ def figures(reads: Reads, monitor: str) -> dict[int, Row]:
 
 
 def with_figures(rows: Sequence[Row], counted: Mapping[int, Row]) -> list[Row]:
-    """Return episodes (rows of ``stored.alarms.labels.alarms``) with their figures beside them."""
+    """Return episodes (rows of ``stored.alarms.labels.alarms``) with their figures."""
     nothing = dict.fromkeys((*COUNTED, *MOVED))
     return [{**row, **counted.get(row["episode"], nothing)} for row in rows]
 
 
 def advice_of(rows: Sequence[Row]) -> dict[int, Advice | None]:
-    """Return what is to be said of each episode, by its number: what is said of its incident.
+    """Return the advice on each episode, by its number: the advice on its incident.
 
-    None of one that is merged or withdrawn. The rows are all episodes, with their figures.
+    It is None for merged and withdrawn episodes. The rows are all episodes, with their figures.
     """
     incidents: dict[int | None, list[Row]] = {}
     for row in rows:

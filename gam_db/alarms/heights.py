@@ -1,4 +1,4 @@
-"""How high evidence must rise: from the asked rate of false alarms to a height (alarms, section 3).
+"""Heights of evidence: from the requested rate of false alarms to a height (alarms, section 3).
 
 This module owns the rate and the choice of a height from a few counts. It knows no SQL and no source.
 """
@@ -33,7 +33,7 @@ _TABLE = {1 / 5000: (13, 8, 6.5, 5, 4), 1 / 1000: (5, 4, 3.5, 3, 2.5), 1 / 300: 
 
 @dataclass(frozen=True)
 class Rate:
-    """How many false alarms are asked for."""
+    """A requested rate of false alarms."""
 
     number: float  # of them
     days: int | None  # in so many days; None for in 1,000 judgements
@@ -41,7 +41,7 @@ class Rate:
 
     @classmethod
     def of(cls, text: object) -> "Rate":
-        """Return the rate that a text says.
+        """Return the rate of a text.
 
         Raises:
             ParameterError: it says none.

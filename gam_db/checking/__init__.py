@@ -1,4 +1,4 @@
-"""The look before calibration: what a source is like, what must be fixed, what to set.
+"""Checks before calibration: the properties of a source, what to fix, and which settings to choose.
 
 This folder owns ``gam check``: :mod:`~gam_db.checking.look` runs the formulas of ``sql/check``,
 :mod:`~gam_db.checking.notes` says in plain words what they found, :mod:`~gam_db.checking.proposal` what

@@ -118,7 +118,7 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class Look:
-    """What was seen."""
+    """The results of the checks."""
 
     source: AnySource  # with its channels named
     method: Method  # the parameters and the calibration it was looked at with
@@ -136,7 +136,7 @@ class Look:
 
     @property
     def kind(self) -> TimeKind:
-        """How the source tells time."""
+        """The kind of time of the source."""
         return self.method.kind
 
     def setting(self, row: Row) -> Parameters:
@@ -183,7 +183,7 @@ def look_at(
 
 
 def exact_columns(session: Session, source: AnySource, columns: Mapping[str, str]) -> tuple[str, ...]:
-    """Return the columns of readings that are integers or decimals, not doubles; given name -> type."""
+    """Return the columns of readings that are integers or decimals, not doubles, of name -> type."""
     types = session.engine.types
     return tuple(
         name

@@ -1,4 +1,4 @@
-"""All notes on a source, what must be fixed first; what each says is in ``notes.toml``."""
+"""All notes on a source, those that must be fixed first; their texts are in ``notes.toml``."""
 
 import json
 import shlex
@@ -19,13 +19,13 @@ from gam_db.reading.ahead import ahead_sentences
 from gam_db.reading.look import nowhere
 
 PART = 0.1
-"""Share of a machine's recording that a channel may lack at either end before it is said."""
+"""Share of a machine's recording that a channel may lack at either end without a note."""
 MANY_CONFLICTS = 0.1
 """Share of the instants above which different values are no accident."""
 MANY_JUMPS = 3
 """Pauses of a counter up to which a long one is a jump; with more it comes in bursts."""
 LONG_STILL = 0.2
-"""Share of the samples that one value holds without a break, above which it is said."""
+"""Share of the samples that one value holds without a break, above which there is a note."""
 FEW_VALUES = 10
 """Distinct values up to which a signal is a state rather than a measurement."""
 EXACT_UP_TO = 2**53
@@ -34,17 +34,17 @@ _LEAST_RISES = 50
 _FALLS_OF_COUNTER = 0.01
 _HOUR = 3_600 * SECOND
 
-#: What is said by subject, with words in braces to be filled in.
+#: The text of each subject, with slots in braces.
 SENTENCES: dict[str, str] = data.table("gam_db.checking", "notes.toml")
 
 
 @dataclass(frozen=True)
 class Note:
-    """Something to be known of a source before it is watched."""
+    """A note on a source, for users before they watch it."""
 
-    subject: str  # one word, the same for the same finding: what programs go by
+    subject: str  # one word, the same for the same finding: for programs
     must: bool  # it must be fixed, or there is no result, or a wrong one
-    text: str  # what it is and what to do, in plain words
+    text: str  # the finding and what to do, in plain words
     #: (asset, channel) of those concerned; none where it concerns the source as a whole.
     channels: tuple[tuple[str, str], ...] = ()
 
@@ -54,7 +54,7 @@ Worded = Callable[[Sequence[Row]], str | int]
 
 
 def notes(look: Look, proposal: Proposal) -> list[Note]:
-    """Return what is to be known of a source, what must be fixed first, and else in a fixed order."""
+    """Return all notes on a source: those that must be fixed first, then in a fixed order."""
     source_notes = [*_on_times(look, proposal), *_on_amounts(look, proposal), *_on_values(look)]
     for subject, words, names in remarks(look):
         source_notes.append(Note(subject, False, SENTENCES[subject].format(**words), names))
@@ -69,7 +69,7 @@ def must_be_fixed(source_notes: Sequence[Note]) -> bool:
 def _noted(
     subject: str, rows: Sequence[Row], must: bool = False, **words: str | int | Worded
 ) -> list[Note]:
-    """The note on some channels, if any; a word that is not given is the extent of their column."""
+    """Return the note on some channels, if any; a slot without a word shows the extent of its column."""
     if not rows:
         return []
     columns = {column for _, column, *_ in Formatter().parse(SENTENCES[subject]) if column}
@@ -129,7 +129,7 @@ def _ahead(look: Look) -> list[Note]:
 
 
 def is_heeded(look: Look, row: Row) -> bool:
-    """Tell whether max_gap tells the pauses of a channel from its steps."""
+    """Tell whether max_gap separates the pauses of a channel from its steps."""
     gap = look.gap(row)
     return gap is not None and row["longest_step"] <= gap < row["shortest_pause"]
 
@@ -231,7 +231,7 @@ def _invalid(look: Look) -> list[Note]:
 
 
 def _on_amounts(look: Look, proposal: Proposal) -> list[Note]:
-    """Rows that belong nowhere, calibration, the window."""
+    """Return notes on rows without names or time, on calibration, and on the window."""
     source_notes = []
     if any(look.nameless.values()):
         what, where, advice = nowhere(look.source, look.nameless, look.undated, look.engine)
@@ -281,7 +281,7 @@ def _on_amounts(look: Look, proposal: Proposal) -> list[Note]:
 
 
 def _partial(look: Look) -> list[Note]:
-    """Channels that say nothing for a good part of the time in which others of their asset do."""
+    """Return notes on channels that lack a large part of the recording of their asset."""
     late: list[Row] = []
     early: list[Row] = []
     for _, of_asset in groupby(look.channels, key=itemgetter("asset")):

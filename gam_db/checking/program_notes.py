@@ -1,4 +1,4 @@
-"""What is said of the programs of a source: how often each runs, and what calibration holds of it."""
+"""Notes on the programs of a source: how often each runs, and its readings in calibration."""
 
 from collections import defaultdict
 from collections.abc import Iterator
@@ -59,7 +59,7 @@ Remark = tuple[str, dict[str, str], tuple[tuple[str, str], ...]]
 
 
 def remarks(look: Look) -> Iterator[Remark]:
-    """Yield what is to be known of the programs of a source."""
+    """Yield the notes on the programs of a source."""
     for candidate in look.candidates:
         words = {
             "column": candidate.column,

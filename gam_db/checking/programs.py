@@ -22,7 +22,7 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class Candidate:
-    """A column that looks as if it said which program a machine runs."""
+    """A column that looks like the program of a machine."""
 
     column: str
     programs: int  # different values
@@ -56,7 +56,7 @@ def program_rows(study: Study) -> tuple[Row, ...]:
 
 
 def candidates(study: Study, window: int) -> tuple[Candidate, ...]:
-    """Return the columns that look as if they said which program a machine runs.
+    """Return the columns that look like the program of a machine.
 
     They are texts or whole numbers that nothing reads, of 2 to 50 values, which stay for at least a
     window of readings at the median and return; ten such columns at most are looked at whole. Their
@@ -82,7 +82,7 @@ def candidates(study: Study, window: int) -> tuple[Candidate, ...]:
 
 
 def _possible(study: Study) -> Iterator[str]:
-    """Yield columns of texts and whole numbers that say nothing else; also channels of a wide table."""
+    """Yield columns of texts and whole numbers without another role; also channels of a wide table."""
     source, types = study.source, study.session.engine.types
     read = {source.asset, source.time}
     if isinstance(source, Source):
@@ -121,7 +121,7 @@ def _counted(study: Study, file: str, names: list[str]) -> Mapping[str, int]:
 
 
 def _usual_run(study: Study, column: str) -> Row | None:
-    """Return what check/usual_run.sql says of a column; None where nothing else is a reading."""
+    """Return the result of check/usual_run.sql for a column; None if no other column is a reading."""
     source: AnySource = replace(study.source, program=column)
     if isinstance(source, WideSource):
         others = [name for name in source.value_columns if name != column]

@@ -78,7 +78,7 @@ def _still(rows: Sequence[Row]) -> Proposed | None:
 
 
 def _gap(rows: Sequence[Row], kind: TimeKind) -> Proposed | None:
-    """Return a length that tells the pauses of these channels from their steps, if there is one.
+    """Return a length that separates the pauses of these channels from their steps, if there is one.
 
     Irregular sampling has no pauses: a length that breaks none of its steps will do.
     """
@@ -106,7 +106,7 @@ def room_of(look: Look, row: Row) -> int:
 
 
 def _open_window(usual: int, healthy: int, cycle: int, room: int) -> tuple[int, str]:
-    """Return the window where none was given: whole cycles if there are any, else the usual one."""
+    """Return the window for no setting: whole cycles if there are any, else the default."""
     if not cycle:
         if usual > room:
             return _eighth(room, healthy)
@@ -153,7 +153,7 @@ def _window(look: Look) -> tuple[int | None, str, dict[str, Proposed]]:
 
 
 def _set_window(current: int, healthy: int, cycle: int, room: int, why: str) -> tuple[int, str]:
-    """Return the window where one was given: that, unless calibration or cycles want another."""
+    """Return the window for a setting: that, unless calibration or cycles need another."""
     window, reason = (current, why) if current <= room else _eighth(room, healthy)
     wanted = 100 * math.ceil(cycle * CYCLES / 100)
     if cycle * CYCLES <= window:

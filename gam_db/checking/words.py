@@ -23,7 +23,7 @@ def spoken(length: int, kind: TimeKind) -> str:
 
 
 def instant(tick: int, kind: TimeKind) -> str:
-    """Return an instant as it is read; years that no calendar has are given in microseconds."""
+    """Return an instant as text; years beyond the calendar as microseconds."""
     if kind.is_counter:
         return f"{tick:,}"
     try:

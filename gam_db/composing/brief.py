@@ -1,4 +1,4 @@
-"""Brevity: what an engine lets a printed query say in fewer words, with the same rows.
+"""Brevity: shorter forms of a printed query that an engine accepts, with the same rows.
 
 This module owns the forms that not every engine has: outer joins that give NULL, USING, named windows,
 literals of doubles. It is told which ones an engine has.
@@ -76,7 +76,7 @@ def _unalias(select: exp.Select) -> None:
 
 
 def _join_outer(select: exp.Select, filled: bool) -> None:
-    """Let a row without a partner be told by NULL, not by a column of its own."""
+    """Recognize a row without a partner by NULL, not by a column of its own."""
     for join in select.args.get("joins") or ():
         source, condition = join.this, join.args.get("on")
         if join.side != "LEFT" or not isinstance(source, exp.Subquery) or condition is None:
@@ -138,7 +138,7 @@ def _is_counted(query: exp.Select, name: str) -> bool:
 
 
 def _unless(less: exp.LT, alias: str) -> None:
-    """Say that there is no partner as such, not as a number below 1."""
+    """Write the test for no partner as such, not as a number below 1."""
     case = less.this
     if isinstance(case, exp.Case) and len(case.args["ifs"]) == 1:
         there = case.args["ifs"][0].this
@@ -252,7 +252,7 @@ def _name_windows(select: exp.Select) -> None:
 
 
 def _is_of_constants(node: exp.Expr) -> bool:
-    """Tell whether what a number stands beside is a number, too."""
+    """Tell whether the other operand of a number is a number, too."""
     parent = node.parent
     if not isinstance(parent, exp.Binary):
         return False

@@ -51,7 +51,7 @@ def folded(query: exp.Query, is_typed: bool = True) -> exp.Query:
 
 
 def without_null_tests(condition: exp.Expr) -> exp.Expr:
-    """Return a condition without asking whether a column is there of which more is asked."""
+    """Return a condition without a test for NULL of a column that another test already covers."""
     parts: list[exp.Expr] = []
     pending = [condition]
     while pending:
@@ -115,7 +115,7 @@ def _is_column_of_cases(node: exp.Expr) -> bool:
 
 
 def _fold_null(node: exp.Expr) -> exp.Expr:
-    """Return what is decided by NULL."""
+    """Return the part that NULL decides."""
     if isinstance(node, (exp.Min, exp.Max)) and isinstance(node.this, exp.Null):
         return exp.Null()
     if type(node) not in _COMPARED or not _decides(node):
@@ -142,7 +142,7 @@ _WHOLE = (exp.Boolean, exp.Null, exp.Literal, exp.Column, exp.Paren, exp.Func)
 
 
 def _is_condition(node: exp.Expr | None) -> bool:
-    """Tell whether what stands in a node is a condition by itself."""
+    """Tell whether the expression in a node is a condition by itself."""
     return isinstance(node, (exp.And, exp.Or, exp.Where, exp.If, exp.Join))
 
 

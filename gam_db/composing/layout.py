@@ -1,4 +1,4 @@
-"""Layout: SQL on lines of at most so many characters.
+"""Layout: SQL on lines of limited length.
 
 This module owns where a printed statement breaks and how far a line is indented. It moves white space
 and nothing else: the tokens of a text stay as they are.

@@ -19,7 +19,7 @@ Tables: TypeAlias = Mapping[str, str]
 
 @dataclass(frozen=True, eq=False)
 class Definition:
-    """What a step is made of; a step that is filled again in the same way has the same one.
+    """The ingredients of a step; a step that is filled again in the same way has equal ones.
 
     Attributes:
         query: the filled tree; tables that carry the name of a step are read from that step.
@@ -35,7 +35,7 @@ class Definition:
 
 
 class Step:
-    """One named SELECT, made when it is asked for: of a method's steps a question needs a few."""
+    """One named SELECT, made on demand: most questions need few steps of a method."""
 
     def __init__(self, name: str, make: Callable[[], Definition]) -> None:
         self.name, self._make = name, make
@@ -51,7 +51,7 @@ class Step:
 
     @cached_property
     def definition(self) -> Definition:
-        """What it is made of."""
+        """Its ingredients."""
         return self._make()
 
     @property
@@ -95,7 +95,7 @@ class Pipeline:
         slots: Slots | Callable[[], Slots] | None = None,
         tables: Tables | Callable[[], Tables] | None = None,
     ) -> None:
-        """Add a step that is a file of ``sql/``, which is read and filled when the step is asked for.
+        """Add a step from a file of ``sql/``, which is read and filled on demand.
 
         What was filled lately in the same way is not filled again: copies of trees are most of what a
         method costs that is asked for few rows. The path is ``folder/file``; slots and tables may be
@@ -149,7 +149,7 @@ class Pipeline:
     def query(
         self, target: str, tables: Mapping[str, exp.Table] | None = None, commented: bool = False
     ) -> exp.Query:
-        """Return one query for a step: what it needs becomes its WITH list.
+        """Return one query for a step: the steps that it needs become its WITH list.
 
         Args:
             target: the step whose rows are wanted.
@@ -232,7 +232,7 @@ def _inputs(names: Iterable[str], tables: Tables, steps: Container[str]) -> dict
 
 
 def place(query: exp.Expr, tables: Mapping[str, exp.Table]) -> None:
-    """Let a tree read the given tables where it names their steps; in place."""
+    """Replace steps in a tree by their tables, in place."""
     for table in _plain_tables(query):
         if table.name in tables:
             target = tables[table.name].copy()
@@ -243,7 +243,7 @@ def place(query: exp.Expr, tables: Mapping[str, exp.Table]) -> None:
 def union_of(
     pipeline: Pipeline, parts: Sequence[str], columns: Sequence[str] | None = None
 ) -> exp.Query:
-    """Return the rows of several steps, one under another: the given columns, else all of the first."""
+    """Return the union of the rows of several steps: the given columns, else all of the first."""
     columns = columns or pipeline.steps[parts[0]].query.named_selects
     selects = [_columns_of(part, columns) for part in parts]
     return selects[0] if len(selects) == 1 else exp.union(*selects, distinct=False)
@@ -260,7 +260,7 @@ def filled(name: str, slots: Mapping[str, template.Slot] | None = None) -> exp.Q
 
 
 def read_as(query: exp.Expr, inputs: Mapping[str, str]) -> None:
-    """Let a tree read the given steps where it has other names for them; in place."""
+    """Replace other names of steps in a tree by their names, in place."""
     for table in _plain_tables(query):
         step = inputs.get(table.name)
         if step is not None:

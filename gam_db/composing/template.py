@@ -1,6 +1,6 @@
 """Templates: one formula, one ``.sql`` file, parsed once; slots are filled on the tree.
 
-A file may begin with macros of DuckDB, which are put in the place of their calls.
+A file may begin with macros of DuckDB; their bodies replace their calls.
 
 This module owns reading a file of ``sql/`` and putting nodes in the place of its ``:slots``. It knows
 neither the method nor any engine, and it never makes SQL from text.
@@ -103,7 +103,7 @@ def parse(name: str, source: str) -> Template:
 
 
 def _inline(macro: exp.Expr, reader: exp.Expr) -> None:
-    """Put what a macro stands for in the place of its calls, so that no engine has to know it."""
+    """Replace the calls of macros by their bodies, so that engines need no macros."""
     about: exp.Expr = macro.this
     for call in reversed(list(reader.find_all(exp.Anonymous))):  # inner calls first
         if call.name == about.this.name:

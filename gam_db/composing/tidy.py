@@ -1,4 +1,4 @@
-"""Tidying: the steps of a script without what its settings make needless.
+"""Tidying: remove what the settings of a script make needless from its steps.
 
 Steps are written for all settings. This module takes out of them, on their trees, what some settings
 leave without effect: columns that nobody reads, constants, joins to a single row or to none, cases that
@@ -79,7 +79,7 @@ def _keep_needed(tidied_steps: Queries, results: Collection[str]) -> None:
 
 
 def _qualify(select: exp.Select, steps: Mapping[str, exp.Query]) -> None:
-    """Say of each column which of several sources it is of."""
+    """Qualify each column by its source, if there are several."""
     sources = [source for source, _ in sources_of(select)]
     if len(sources) < 2:
         return
@@ -111,7 +111,7 @@ def _constants(query: exp.Expr) -> dict[str, exp.Expr]:
 
 
 def _inline(select: exp.Select, constants: Mapping[str, Mapping[str, exp.Expr]]) -> None:
-    """Put the constants that a select reads in the place of their columns."""
+    """Replace columns by the constants that a select reads from them."""
     constant_columns: dict[int, Mapping[str, exp.Expr]] = {}
     for source, is_there in sources_of(select):
         if is_there and (step := step_of(source, constants)):

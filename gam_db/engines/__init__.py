@@ -1,4 +1,4 @@
-"""Engines: how the SQL of each is written, as flat data and small rewrites, and its connection.
+"""Engines: the SQL of each, as flat data and small rewrites, and its connection.
 
 What is data of one is in ``engines.toml``. One that is executed has a folder: its ``__init__.py`` says
 how its SQL is written, its ``driver.py`` how it is run. Of one that is only rendered there is a file.

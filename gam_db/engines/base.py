@@ -1,6 +1,6 @@
-"""What an engine is: a screenful of data and a few small rewrites.
+"""The class of engines: a page of data and a few small rewrites.
 
-This module owns how a tree becomes the text of one engine. Only this folder asks which engine it is.
+This module owns how a tree becomes the text of one engine. Only this package tests which engine it is.
 Making SQL needs no driver and no connection.
 """
 
@@ -65,7 +65,7 @@ class Texts:
 
 
 def table_as(table: exp.Expr, query: exp.Query | None, *storage: exp.Expr) -> exp.Create:
-    """Return CREATE TABLE ... AS, with what is said of its storage."""
+    """Return CREATE TABLE ... AS, with its storage."""
     properties = exp.Properties(expressions=list(storage)) if storage else None
     return exp.Create(this=table, kind="TABLE", expression=query, properties=properties)
 
@@ -125,7 +125,7 @@ class Engine:
     whole: Mapping[str, str] = field(default_factory=dict, hash=False)
     #: What is read (``:read``), and an error if the column (``:word``) is a text.
     of_no_text: str = ""
-    refusing: str = ""  # an expression that fails; what is said of it holds ``REFUSES``
+    refusing: str = ""  # an expression that fails; its error message contains ``REFUSES``
     #: The same with a sentence (``:text``), and a number of ``:rows``, so that it is no constant; empty
     #: where a script cannot end by itself.
     failing: str = ""
@@ -161,7 +161,7 @@ class Engine:
     drops_several: bool = False  # whether DROP takes several names
     #: What its printed queries may leave out, of :data:`gam_db.composing.brief.FORMS`.
     brief: Sequence[str] = field(default=(), hash=False)
-    condition_note: str = ""  # what is said beside a condition of the user's that the engine refuses
+    condition_note: str = ""  # a note on conditions of users that the engine refuses
     flow_hint: bool = False  # whether a WITH entry can be marked NOT MATERIALIZED
     newest_of: int = 0  # among fewer rows LAST_VALUE(... IGNORE NULLS) gives the newest of a kind
     reads_files: bool = False  # whether a Parquet or CSV path can stand in FROM
@@ -173,7 +173,7 @@ class Engine:
     transactions: bool = True  # whether statements can be undone together
     undoes_definitions: bool = True  # whether that holds of tables and views that were made, too
     commits_definitions: bool = False  # whether a transaction ends where a temporary table is made
-    limits: str = ""  # what it cannot promise, and what a user has to know
+    limits: str = ""  # its limitations, for users
     #: For one whose tables give their rows in the order in which they were stored, and whose windows
     #: without an order follow it (:mod:`gam_db.study.streaming`); None for all others.
     bits: Bits | None = None
@@ -188,7 +188,7 @@ class Engine:
 
     @classmethod
     def named(cls, name: str, **code: Any) -> "Engine":
-        """Return an engine: what ``engines.toml`` says of it, and the rest, which takes code."""
+        """Return an engine from its data in ``engines.toml`` and the parts that need code."""
         fields = dict(_ENGINES[name])
         for key in {"micros", "instant", "compared"} & fields.keys():
             if isinstance(of := fields[key], dict):
@@ -206,12 +206,12 @@ class Engine:
             raise EngineError(f"{self.title} {version} is too old; gam-db needs {self.oldest} or later.")
 
     def micros_of(self, kind: TimeKind, column: exp.Expr) -> exp.Expr:
-        """Return the integer time of a column that tells time in a way."""
+        """Return the integer time of a column with a kind of time."""
         read = formula(self.counted if kind.is_counter else _of_kind(self.micros, kind), time=column)
         return self.insisting("count" if kind.is_counter else "time", column, read, "BIGINT")
 
     def tells_none(self, kind: TimeKind, column: exp.Expr) -> exp.Expr:
-        """Return the condition that a column tells no time, as NULL or by what no range finds."""
+        """Return the condition that a column has no usable time: NULL, or a value outside any range."""
         nothing: exp.Expr = exp.Is(this=column.copy(), expression=exp.null())
         rule = self.whole.get("count" if kind.is_counter else "time")
         if rule is None or "word" not in self.whole:
@@ -219,11 +219,11 @@ class Engine:
         return exp.or_(nothing, exp.Not(this=exp.paren(formula(rule, word=column))))
 
     def number_of(self, column: exp.Expr) -> exp.Expr:
-        """Return a column of readings, of which nothing is dropped."""
+        """Return a column of readings as numbers, without dropping a part of a value."""
         return self.insisting("number", column, column, "DOUBLE")
 
     def insisting(self, what: str, column: exp.Expr, read: exp.Expr, of: str) -> exp.Expr:
-        """Return what is read of a column; the statement fails where a value is not whole.
+        """Return the value of a column; the statement fails if it cannot be read as a whole.
 
         Cause: SQLite and MariaDB read as much of a text as they can, ClickHouse gives NULL. Symptom: the
         word Bad is a reading of 0, or missing.
@@ -238,7 +238,7 @@ class Engine:
         return exp.Case(ifs=[exp.If(this=when, true=then.copy()) for when, then in cases])
 
     def failure(self, sentence: str, rows: exp.Expr) -> exp.Expr:
-        """Return an expression that ends a script, with a sentence; rows is their number, a column."""
+        """Return an expression that ends a script with a sentence and a number of rows, a column."""
         slots = {"text": template.text(sentence), "rows": rows}
         used = _formula(self.failing).slots
         return formula(self.failing, **{name: slots[name] for name in used})
@@ -248,7 +248,7 @@ class Engine:
         return formula(self.now)
 
     def instant_of(self, kind: TimeKind, time: exp.Expr) -> exp.Expr:
-        """Return an integer time as a source that tells time in a way has it."""
+        """Return an integer time as a source with a kind of time has it."""
         return time if kind.is_counter else formula(_of_kind(self.instant, kind), micros=time)
 
     def readings(
@@ -261,7 +261,7 @@ class Engine:
         validity: bool = False,
         until: exp.Expr | int | None = None,
     ) -> exp.Query:
-        """Return the step *readings* of a source that tells time in a way, of a range of instants.
+        """Return the step *readings* of a source with a kind of time, for a range of instants.
 
         Rows later than ``until``, an integer time, are left out; rows without a time stay.
         """
@@ -277,7 +277,7 @@ class Engine:
         return self.in_range(kind, template.column(source.time), *ends)
 
     def undated(self, source: AnySource, relation: exp.Expr, kind: TimeKind) -> exp.Query:
-        """Return what counts the rows of a source that tell no time, by their cause."""
+        """Return the query that counts the rows of a source without a usable time, by cause."""
         return undated(source, relation, partial(self.micros_of, kind))
 
     def in_range(
@@ -348,7 +348,7 @@ class Engine:
         return replace(self, rewrites=[edit for edit in self.rewrites if edit not in self.ordering])
 
     def beginning(self) -> str:
-        """Return what a script begins with; empty where that is nothing."""
+        """Return the text that a script begins with; may be empty."""
         return "".join(f"{self.text(statement)};\n" for statement in self.opening)
 
     def _written(self, tree: exp.Expr, pretty: bool) -> str:
@@ -379,14 +379,14 @@ _dialect = cache(Dialect.get_or_raise)
 
 
 def deletion(table: exp.Table, keys: Sequence[str], key_rows: exp.Query) -> exp.Delete:
-    """Return what deletes the rows of a table whose keys are among the rows of a query."""
+    """Return the statement that deletes the rows of a table whose keys are among the rows of a query."""
     key = exp.Tuple(expressions=[exp.column(exp.to_identifier(name)) for name in keys])
     among = exp.In(this=key, query=exp.Subquery(this=key_rows))
     return exp.Delete(this=table.copy(), where=exp.Where(this=among))
 
 
 def settings(values: Mapping[str, str | int], kind: str | None = None) -> list[exp.Expr]:
-    """Return the statements that set what a session is set to; a kind stands before the name."""
+    """Return the SET statements of a session; a kind precedes the name."""
     statements: list[exp.Expr] = []
     for name, value in values.items():
         node = template.text(value) if isinstance(value, str) else template.node_of(value)

@@ -13,7 +13,7 @@ def _described(comment: exp.Expr) -> exp.Expr:
 
 
 def name_rows_apart(tree: exp.Expr) -> exp.Expr:
-    """Give relations another alias where a column is called like them.
+    """Rename aliases of relations that have the name of a column.
 
     Cause: a name alone means the relation, as a whole row, before it means a column. Symptom: no
     matching signature, found STRUCT<...>, wherever a step has a column of its own name.

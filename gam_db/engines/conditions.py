@@ -1,6 +1,6 @@
-"""What a condition of the user's may hold on an engine, unless any is let.
+"""The expressions that a user's condition may contain on an engine, unless all are allowed.
 
-What that is stands in ``conditions.toml``; this module owns how a parsed condition is held to it.
+``conditions.toml`` lists them; this module checks a parsed condition by these lists.
 """
 
 import re
@@ -80,7 +80,7 @@ def check_conditions(where: str | None, valid_when: str | None, engine: Engine) 
 
 
 def _problem(part: exp.Expr, allowed: Allowed) -> str | None:
-    """Return what is wrong with a part of a condition, those below it aside: tables, moves, unlisted."""
+    """Return the problem of one node of a condition: tables, moves or unlisted; None for no problem."""
     kind = type(part).__name__
     if isinstance(part, exp.Query) or (isinstance(part, exp.In) and _may_ask_table(part)):
         return "tables"
@@ -99,12 +99,12 @@ def _problem(part: exp.Expr, allowed: Allowed) -> str | None:
 
 
 def _may_ask_table(part: exp.In) -> bool:
-    """Tell whether what stands after IN may be a table: a name in brackets is one to ClickHouse."""
+    """Tell whether the operand of IN may be a table: for ClickHouse a name in brackets is one."""
     return not part.expressions or any(node.find(exp.Column) for node in part.expressions)
 
 
 def _is_clock(part: exp.Expr, allowed: Allowed) -> bool:
-    """Tell whether a function, a bare word or a text tells what no row does."""
+    """Tell whether a function, a bare word or a text depends on something other than the row."""
     if isinstance(part, exp.Anonymous):
         return part.name.lower() in _MOVING_WORDS or not part.expressions
     if isinstance(part, exp.Column):

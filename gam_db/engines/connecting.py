@@ -86,7 +86,7 @@ def connect(
 
 @contextlib.contextmanager
 def borrowed(engine: Any, threads: int | None = None) -> Iterator[Session]:
-    """Give a session for reading: the one given, which stays open, or one that is closed afterwards.
+    """Yield a session for reading: the caller's, which stays open, or one that is closed afterwards.
 
     It is opened, and errors are raised, as by :func:`connect`.
     """

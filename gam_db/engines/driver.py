@@ -1,6 +1,6 @@
-"""What an engine is asked for: a small driver on its client library; sessions lie on one.
+"""The interface of drivers: each wraps the client library of an engine for a session.
 
-A driver owns what its client library wants; :mod:`gam_db.engines.session` owns what all do alike.
+A driver owns what its client library needs; :mod:`gam_db.engines.session` owns what all share.
 """
 
 import contextlib
@@ -26,7 +26,7 @@ class Driver(Protocol):
     engine: Engine  # how trees become its text
     #: What the client library raises when the engine refuses something.
     errors: tuple[type[Exception], ...]
-    #: What is said of the file {path} where the engine reads none.
+    #: The error on the file {path} if the engine reads no files.
     no_files: str = "{path} is a file, which this engine does not read."
     #: How many readings can be worked on at once, where that is fixed: it sorts on its disk.
     most_rows: int = 4_000_000

@@ -119,7 +119,7 @@ def _numbers(values: Any, kind: Any) -> Any:
 
 
 def _times(index: Any) -> Any:
-    """Return the index of a pandas series as a column that tells the time."""
+    """Return the index of a pandas series as a column of time."""
     if _is_of(index, "pandas", "DatetimeIndex"):
         return pa.array(index)
     kind = getattr(index.dtype, "kind", "")

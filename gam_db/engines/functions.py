@@ -1,4 +1,4 @@
-"""Functions that give rows: what a script or a session lets be called like a table."""
+"""Functions that return rows: views with parameters of a script or session."""
 
 from collections.abc import Sequence
 
@@ -18,7 +18,7 @@ def signal_rows(view: exp.Table) -> exp.Query:
 def macro(
     name: exp.Table, parameters: Sequence[str], query: exp.Query, *properties: exp.Expr
 ) -> exp.Create:
-    """Return what lets a query be called like a table, its parameters being columns without a table."""
+    """Return the definition of a query as a function; its parameters are columns without a table."""
     arguments = [exp.to_identifier(parameter) for parameter in parameters]
     function = exp.UserDefinedFunction(this=name, expressions=arguments, wrapped=True)
     gives_rows = exp.ReturnsProperty(this=exp.Schema(this=exp.var("TABLE")), is_table=True)

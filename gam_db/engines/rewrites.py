@@ -43,7 +43,7 @@ def newest_as_largest(tree: exp.Expr, most: int) -> exp.Expr:
 
 
 def at_home(tree: exp.Expr, home: str) -> exp.Expr:
-    """Write the schema of tables that name none, so that nothing is looked up on a path."""
+    """Write the schema of tables that name none, so that no search path is needed."""
     for table in tree.find_all(exp.Table):
         if isinstance(table.this, exp.Identifier) and not table.db and not _is_entry(table):
             table.set("db", _schema(home))
@@ -54,7 +54,7 @@ def at_home(tree: exp.Expr, home: str) -> exp.Expr:
 
 
 def _schema(name: str) -> exp.Identifier:
-    """Return the name of a schema, quoted unless that changes nothing."""
+    """Return the name of a schema, quoted if that makes a difference."""
     return exp.to_identifier(name, quoted=name != "public")
 
 

@@ -1,7 +1,7 @@
-"""An engine at work: what the rest of gam-db asks of it. Trees go in, Arrow tables come out.
+"""Sessions: the interface of engines to the rest of gam-db. Trees go in, Arrow tables come out.
 
-A session lies on one connection, by a small driver (:mod:`gam_db.engines.driver`). That of DuckDB has
-more to it (:mod:`gam_db.engines.duckdb.session`): it reads files and Arrow tables where they lie.
+A session uses one connection, through a small driver (:mod:`gam_db.engines.driver`). That of DuckDB does
+more (:mod:`gam_db.engines.duckdb.session`): it reads files and Arrow tables where they lie.
 """
 
 import contextlib
@@ -38,7 +38,7 @@ _TAKING = threading.Lock()
 
 
 class Session:
-    """An engine at work: describes relations, keeps steps as tables, runs trees.
+    """A session of an engine: describes relations, keeps steps as tables, runs trees.
 
     Args:
         driver: the connection.
@@ -52,7 +52,7 @@ class Session:
         self._number: int | None = None
         self._tables: dict[str, exp.Table] = {}
         self._defined: dict[str, exp.Expr] = {}  # by name: how it is dropped
-        #: Each looks for values that are not whole, and raises what is said of them.
+        #: Each finds values that are not whole, and raises the error on them.
         self.suspects: list[Callable[[], None]] = []
 
     def __enter__(self) -> Self:
@@ -62,7 +62,7 @@ class Session:
         self.close()
 
     def close(self) -> None:
-        """Drop what was made on the way; close the connection if it is ours."""
+        """Drop temporary tables; close the connection if the session opened it."""
         with contextlib.suppress(*self.driver.errors):
             for table in list(self._tables.values()):
                 self.driver.drop(table)
@@ -108,7 +108,7 @@ class Session:
 
     @contextlib.contextmanager
     def lent(self, table: pa.Table) -> Iterator[exp.Table]:
-        """Let an Arrow table be read for a while."""
+        """Make an Arrow table readable inside the block."""
         node = self.load(table)
         try:
             yield node
@@ -129,7 +129,7 @@ class Session:
     def check_condition(
         self, relation: exp.Expr, condition: exp.Expr, shown: str, called: str = "where"
     ) -> None:
-        """Try a user's condition, which a message calls so, on no row and where nothing can be written.
+        """Try a user's condition on no row, in a read-only mode; ``called`` names it in messages.
 
         Raises:
             SourceError: the engine refuses it; the message shows it as the user wrote it.
@@ -166,7 +166,7 @@ class Session:
 
     @contextlib.contextmanager
     def transaction(self) -> Iterator[None]:
-        """Do all that is executed inside as one, where the engine can; else one after another.
+        """Execute the statements inside as one transaction, if the engine can; else one after another.
 
         Raises:
             EngineError: a transaction is open already, or the end of this one was refused.
@@ -211,16 +211,16 @@ class Session:
         return table.copy()
 
     def load(self, rows: pa.Table) -> exp.Table:
-        """Return the node that reads an Arrow table of ours, until it is forgotten."""
+        """Return the node that reads an Arrow table of gam-db, until it is forgotten."""
         table = self._new("arrow")
         self._tables[table.name] = table  # also where it is filled in part only: its name is taken then
         self._answer(lambda: self.driver.ingest(table, rows), "arrow")
         return table.copy()
 
     def forget(self, table: exp.Table) -> None:
-        """Drop a table made by :meth:`keep`, or let go of one given to :meth:`load`.
+        """Drop a table made by :meth:`keep`, or release one loaded by :meth:`load`.
 
-        In a transaction that has failed that cannot be done, and closing does it: what failed is told.
+        In a failed transaction this is impossible, and closing does it: the first error is reported.
         """
         with contextlib.suppress(*self.driver.errors):
             self.driver.drop(table)
@@ -229,7 +229,7 @@ class Session:
                 self._give_back()
 
     def define(self, step: str, query: exp.Query, parameters: Sequence[str]) -> str:
-        """Let a query be called like a table, and return its name; for an engine with macros (DuckDB).
+        """Define a query as a function of rows, and return its name; for engines with macros (DuckDB).
 
         It stands for the query that was defined of that step before.
 
@@ -312,7 +312,7 @@ class Session:
 
 
 def _of_others(names: set[str]) -> list[str]:
-    """Return names without those of the state of monitors: nobody means one of them for a source."""
+    """Return names without those of state tables, which are no sources."""
     record = "state_migration"
     of_runs = [name.removesuffix(record) for name in names if name.endswith(record)]
     ours = tuple(prefix for prefix in of_runs if prefix and f"{prefix}state_finished_run" in names)

@@ -1,6 +1,6 @@
-"""How an engine writes the definition of a table or view: keys, formats and comments.
+"""Definitions of tables and views of an engine: keys, formats and comments.
 
-This module owns the forms that engines share; what an engine wants is said in its own file.
+This module owns the forms that engines share; the file of an engine has its choices.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -15,7 +15,7 @@ Note: TypeAlias = Callable[[exp.Expr], exp.Expr]
 
 @dataclass(frozen=True)
 class Storage:
-    """How an engine keeps tables and views, and what it has of comments."""
+    """The storage of tables and views of an engine, and the comments that it supports."""
 
     #: Whether they are statements of their own, stand inside of definitions, or are none.
     comments: Literal["apart", "inside", "none"] = "apart"
@@ -23,7 +23,7 @@ class Storage:
     #: How the comment of the whole is written there.
     note: Note = lambda comment: exp.SchemaCommentProperty(this=comment)
     column_note: Note = lambda comment: exp.CommentColumnConstraint(this=comment)  # the same of a column
-    #: What is said of the storage of a table.
+    #: The storage clauses of a table.
     properties: Callable[["Definition"], Sequence[exp.Expr]] = lambda _: ()
     temporary: Sequence[exp.Expr] = ()  # the same of a temporary table
     #: Changes a column of a table that is made.
@@ -73,7 +73,7 @@ APART = Storage()
 
 @dataclass(frozen=True)
 class Definition:
-    """A table or view, and what a data dictionary says of it."""
+    """A table or view, and its entry in a data dictionary."""
 
     create: exp.Create  # CREATE TABLE with its columns, or CREATE VIEW with its query
     comment: exp.Expr  # what it holds, as a literal

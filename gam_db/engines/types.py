@@ -1,6 +1,6 @@
-"""What the types of columns mean to the method: how time is told, what holds numbers, what can name.
+"""The meaning of column types for the method: kinds of time, numbers, and names.
 
-sqlglot reads the names that engines give their types; an engine says what is read otherwise.
+sqlglot reads the names of types; an engine declares those with another meaning.
 """
 
 import re
@@ -48,7 +48,7 @@ class Types:
     others: tuple[tuple[str, str], ...] = ()
 
     def time_kind(self, type_name: str) -> TimeKind | None:
-        """Return how a column of this type tells time; None if it does not."""
+        """Return the kind of time of a column of this type; None if it is not a time."""
         kind = self._read(type_name)
         if kind is None or kind.this not in {*_INTEGERS, *_INSTANTS}:
             return None
@@ -72,7 +72,7 @@ class Types:
     is_text = _among(_TEXTS)
 
     def _read(self, type_name: str) -> exp.DataType | None:
-        """Return a type as a node, without what may stand around it; None if nobody knows it."""
+        """Return a type as a node, without its wrappers; None if it is unknown."""
         if isinstance(type_name, Several):
             return None
         for other, meant in self.others:

@@ -179,7 +179,7 @@ def _unique(engine: Engine) -> str:
 
 
 def mark(prefix: str) -> str:
-    """Return the line by which a folder is known as a package of ours."""
+    """Return the line that marks a folder as a package of gam-db."""
     return f"# Written by gam export dbt, prefix {prefix}. Change gam.toml and write it again."
 
 
@@ -216,7 +216,7 @@ def profiles(of: Modelled) -> str:
 def sources(
     of: Modelled, table: str, schema: str | None, database: str | None, silent_after: int | None
 ) -> str:
-    """Return the file that says where the telemetry lies; after how many microseconds it is silent."""
+    """Return the file of the source of the telemetry, with the microseconds until it is silent."""
     roles = {
         "asset": _meaning("channel", "asset"),
         "channel": _meaning("channel", "channel"),
@@ -276,7 +276,7 @@ def _meaning(table: str, column: str) -> str:
 
 
 def _is_always_there(table: str, column: str) -> bool:
-    """Tell whether a column of a table is never NULL; nothing is said of views but of their names."""
+    """Tell whether a column of a table is never NULL; of views only the names are."""
     for name in (table, "channel", "version"):
         definition = definitions()[name]
         if column in definition.columns and not definition.is_view:

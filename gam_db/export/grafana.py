@@ -1,4 +1,4 @@
-"""``gam export grafana``: a dashboard over the views, and an alert rule, as files that Grafana reads.
+"""``gam export grafana``: a dashboard over the views, and an alert rule, as files for Grafana.
 
 This module owns what Grafana's data sources want; what is asked stands in ``sql/export/grafana_*.sql``,
 what is shown in ``dashboard.json`` and ``alert.json``, where a query is called by its name.

@@ -42,13 +42,13 @@ def run(statement: str) -> str:
 
 
 def built_once(query: str) -> str:
-    """Return what a model that is built once says: a later build adds nothing to it."""
+    """Return the configuration of a model that is built once: later builds add nothing."""
     nothing = "{% if is_incremental() %} SELECT * FROM {{ this }} WHERE 1 = 0 {% else %}"
     return f"{nothing}\n{query}\n{{% endif %}}"
 
 
 def if_there(model: str, query: str, nothing: str) -> str:
-    """Return what a model says that reads a later one as the build before left it, as ``before``."""
+    """Return the head of a model that reads a later one, as the last build left it, as ``before``."""
     place = f"this.database, this.schema, {_quoted(model)}"
     before = f"{{% set before = adapter.get_relation({place}) %}}"
     condition = "{% if before is not none and not should_full_refresh() %}"

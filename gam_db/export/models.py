@@ -1,4 +1,4 @@
-"""The models of a dbt package: which steps each is made of, and what dbt has to know of it.
+"""The models of a dbt package: the steps of each, and its configuration for dbt.
 
 This module owns the way from the files of ``sql/`` to the steps of a package. Its tables bear the names
 of the state tables that the stored form keeps, and the same columns as far as they need them: a channel
@@ -134,7 +134,7 @@ class Modelled:
 
     @cached_property
     def settings_hash(self) -> str:
-        """What tells whether tables were built under the settings of this package."""
+        """A hash that shows whether tables were built under the settings of this package."""
         read = {key: text for key, text in described(self.source).items() if key != "source"}
         read |= self.source.written
         calibration = self.method.calibration
@@ -164,7 +164,7 @@ class Modelled:
         return self.engine.readings(source, _SOURCE_NODE, kind, until=until)
 
     def instant(self, time: exp.Expr) -> exp.Expr:
-        """Return an integer time as the source tells it."""
+        """Return an integer time as a time of the source."""
         return self.engine.instant_of(self.method.kind, time)
 
     @property

@@ -1,4 +1,4 @@
-"""Scheduled runs as SQL: what `gam score` does of a monitor, for the command line of its database.
+"""Scheduled runs as SQL: the work of `gam score` on a monitor, for the command line of its database.
 
 A run of the script reads what is new, and appends buckets, novel cells, judgements and its record, by
 the lists of :mod:`gam_db.stored.scoring`. What a run of Python decides between its statements (which
@@ -156,7 +156,7 @@ class _RunScript:
         return exp.and_(*conditions)
 
     def _choose(self) -> None:
-        """Say what is scored, and verify it."""
+        """Add the list of scored versions, and verify it."""
         script, steps = self.script, Pipeline()
         add(steps, "stored/monitor/latest_rows")
         slots: dict[str, template.Slot] = {
@@ -185,7 +185,7 @@ class _RunScript:
         script.verify(matching_steps().query("mismatched", script.tables, commented=True), DAMAGED)
 
     def _count(self, setting: Setting, versions: Sequence[Row], suffix: str) -> None:
-        """Count the buckets of the channels of one shape, and what is to be written of them."""
+        """Count the buckets of the channels of one shape, and the rows to write."""
         script = self.script
         shape = Shape(setting, self.kind, None, compared=True, recounted=True)
         plan, of_run = counting(shape), dict(script.tables)
@@ -229,7 +229,7 @@ class _RunScript:
                 script.append(plan.steps, name, into)
 
     def _publish(self) -> None:
-        """Append what was counted, as one transaction, unless somebody else wrote meanwhile."""
+        """Append the counts, as one transaction, unless another process wrote meanwhile."""
         script, tables = self.script, self.monitor.tables
         script.begin("Publish, unless somebody else did so since.")
         for statement in locking(tables, self.monitor_id):
@@ -261,7 +261,7 @@ class _RunScript:
                 self.script.append(plan.steps, name, into)
 
     def _judge(self, versions: Sequence[Row], suffix: str) -> None:
-        """Append the judgements of what was written."""
+        """Append the judgements of the new buckets."""
         script, of_list = self.script, dict(self.script.tables)
         ratios = sorted({buckets_of(version) for version in versions})
         for buckets in ratios:

@@ -233,7 +233,7 @@ def spelled_out(name: str, queries: Mapping[str, exp.Query], tables: Collection[
 
 
 def inline_single(queries: dict[str, exp.Query], objects: Collection[str]) -> None:
-    """Let a step that is no object be spelled out by its only reader, if that reads nothing else."""
+    """Inline a step that is not an object into its only reader, if that reads nothing else."""
     for name in [name for name in queries if name not in objects]:
         readers = [query for query in queries.values() if reads(query, name)]
         if len(readers) == 1 and _is_all_it_reads(readers[0], name):
@@ -271,7 +271,7 @@ def _place(query: exp.Query, tables_by_step: dict[str, exp.Table]) -> None:
 
 
 def _is_all_it_reads(reader: exp.Query, name: str) -> bool:
-    """Tell whether a query reads nothing but a step, and that once."""
+    """Tell whether a query reads only a step, once."""
     tables = list(reader.find_all(exp.Table))
     is_whole = isinstance(reader, exp.Select) and not reader.args.get("joins")
     return is_whole and len(tables) == 1 and step_of(tables[0], (name,)) is not None

@@ -113,7 +113,7 @@ class Reading:
         script.step(steps, "parted")
 
     def read_source(self) -> None:
-        """Read the rows that may matter, each once, and tell what has left the source."""
+        """Read the rows that may matter, each once, and list the rows that have left the source."""
         script, steps = self.script, self.steps
         if self.silent is not None:
             rows = self._rows(self._edge("stored/monitor/look_from"))

@@ -51,7 +51,7 @@ _PASSING = (
     *("probed", "usual", "probe", "sight", "limited"),
 )
 _LASTING = ("channels", "calibration", "bounds", "support", "programs")
-#: What is said of the views besides what they compute.
+#: Comments on the views, besides what they compute.
 _ABOUT = ("The health indicator over the live source, against what calibration found once.\n", "")
 _RESULTS = ("support_summary", "certificate", "probes")
 

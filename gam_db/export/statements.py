@@ -1,4 +1,4 @@
-"""Statements of a script, in order: temporary tables, what must find no row, what is appended.
+"""Statements of a script, in order: temporary tables, checks that must find no row, appended rows.
 
 This module owns how they are written; it knows neither what they compute nor any engine.
 """

@@ -80,7 +80,7 @@ class OfSet:
         )
 
     def slots(self, path: str, filled_slots: Mapping[str, template.Slot]) -> dict[str, template.Slot]:
-        """Return the slots of a file: those that are given, and what follows from the parameters."""
+        """Return the slots of a file: the given ones, and those that follow from the parameters."""
         names = template.load(path).slots - filled_slots.keys()
         set_slots = {"settings_no": self.number, "max_gap": self.method.gaps[self.number]}
         mine: dict[str, template.Slot] = {name: of for name, of in set_slots.items() if name in names}
@@ -106,7 +106,7 @@ def add_stacked(
 
 
 def join_sets(steps: Pipeline, method: Method, names: Sequence[str]) -> None:
-    """Put the rows of all sets under one another; with one set there is nothing to do."""
+    """Unite the rows of all sets; with one set, do nothing."""
     if len(method.settings) > 1:
         for name in names:
             parts = [method.named(name, number) for number in range(len(method.settings))]

@@ -24,7 +24,7 @@ _SETTINGS_NO = exp.column("settings_no")
 
 
 def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) -> None:
-    """Add what calibration says of the judgements of each channel; the last step is *learnt_limits*.
+    """Add the statistics of calibration for the judgements of each channel, up to *learnt_limits*.
 
     Families are patterns of channel names. Bins that were found make no family.
     """
@@ -38,7 +38,7 @@ def add_learnt_limits(steps: Pipeline, method: Method, families: Sequence[str]) 
 
 
 def add_counted(steps: Pipeline, has_instants: bool = True, bounds: str = "bounds") -> None:
-    """Add what is counted in calibration: *buffered*, *bands*, *order_ratios* and *lengths*.
+    """Add the counts of calibration: *buffered*, *bands*, *order_ratios* and *lengths*.
 
     Where calibration may be single instants (``has_instants``), the samples are read for them.
     """
@@ -95,7 +95,7 @@ def add_replay(steps: Pipeline) -> None:
 
 
 def add_judgements(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
-    """Add what is judged, over *frozen_limits*; the last steps are *judgements* and *episodes*."""
+    """Add the judgements over *frozen_limits*; the last steps are *judgements* and *episodes*."""
     for number in range(len(method.settings)):
         OfSet(steps, method, number).add("alarms/judged_windows")
     join_sets(steps, method, ("judged_windows",))
@@ -103,7 +103,7 @@ def add_judgements(steps: Pipeline, method: Method, instant_of: TimeNode) -> Non
 
 
 def add_judged(steps: Pipeline, instant_of: TimeNode) -> None:
-    """Add what is judged, over *judged_windows* and *frozen_limits*, likewise."""
+    """Add the judgements over *judged_windows* and *frozen_limits*, likewise."""
     add(steps, "alarms/rooted", {"root": root_of("novel", "judged")})
     _add_episodes(steps, "rooted", "")
     edges = {name: instant_of(exp.column(name, table="counted")) for name in ("first_time", "last_time")}
@@ -136,7 +136,7 @@ def add_backtested(steps: Pipeline, healthy: Sequence[tuple[int, int]]) -> None:
 
 
 def _add_episodes(steps: Pipeline, rooted: str, suffix: str) -> None:
-    """Add evidence, what it opens, and the episodes of that."""
+    """Add evidence, open judgements, and their episodes."""
     names = {"rooted": rooted, **{name: f"{name}{suffix}" for name in ("evidence", "opened")}}
     for name in ("evidence", "opened", "merged"):
         add(steps, f"alarms/{name}", name=f"{name}{suffix}", tables=names)

@@ -1,4 +1,4 @@
-"""Supports as bits: one value for each, that tells at little cost whether a cell is in it.
+"""Supports as bits: one value for each support, for a cheap test whether it has a cell.
 
 This module owns what an engine must say to have them; :mod:`gam_db.method.scoring` uses it.
 """

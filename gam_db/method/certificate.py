@@ -1,4 +1,4 @@
-"""What calibration says about itself, for one set (method, section 5)."""
+"""The certificate of one set (method, section 5)."""
 
 from collections.abc import Mapping
 
@@ -41,7 +41,7 @@ def coarse_key(setting: Parameters, has_programs: bool = False) -> exp.Expr:
 
 
 def add_judgement(set_steps: OfSet, by_halves: bool = False) -> None:
-    """Add what calibration says about itself, for one set (section 5).
+    """Add the certificate of one set (section 5).
 
     Args:
         set_steps: those of the set, with its learnable vectors and bounds.

@@ -74,22 +74,22 @@ class Ways:
 
     @property
     def scores(self) -> bool:
-        """Tell whether it is known that something of the scored vectors will be asked for."""
+        """Tell whether results of the scored vectors are certain to be wanted."""
         return bool(self.targets & _HEALTH)
 
     @property
     def has_blocks(self) -> bool:
-        """Tell whether a certificate may be asked for, which is made of blocks of calibration."""
+        """Tell whether a certificate, which needs blocks of calibration, may be wanted."""
         return not self.targets or not self.targets <= _HEALTH
 
     @property
     def taught(self) -> str:
-        """The step that supports are made of: vectors, or cells where no certificate is asked for."""
+        """The step from which supports are made: vectors, or cells if no certificate is wanted."""
         return "learnable" if self.has_blocks else "taught"
 
     @property
     def counted(self) -> str:
-        """The step that buckets are counted from: by novel cell where these are asked for, too."""
+        """The step from which buckets are counted: by novel cell if these are wanted, too."""
         return "visited" if "novel_cells" in self.targets else "tallied"
 
 
@@ -170,7 +170,7 @@ def _in_arrays(set_steps: OfSet, prefix: str, special_slots: Mapping[str, templa
 
 
 def _read(prefix: str) -> exp.Expr:
-    """Return which readings the vectors of a prefix are made of."""
+    """Return the step of readings for the vectors of a prefix."""
     time = exp.column("time", table="reading")
     first, last, begin = (
         exp.column(name, table="scale") for name in ("taught_from", "taught_to", "read_from")
@@ -181,7 +181,7 @@ def _read(prefix: str) -> exp.Expr:
 
 
 def _is_complete(prefix: str, table: str | None = None) -> exp.Expr:
-    """Return the condition that a channel has missing samples, or has none, as the prefix says."""
+    """Return the condition of a prefix: that a channel has missing samples, or none."""
     return exp.column("complete", table=table).eq(int(prefix == COMPLETE))
 
 

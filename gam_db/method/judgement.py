@@ -1,4 +1,4 @@
-"""Judging channels: the limit of the health indicator, and what is said of a channel by it.
+"""Judging channels: the limit of the health indicator, and the status of a channel by it.
 
 The rule itself stands in ``sql/judgement/``; every form of the method takes it from there.
 """
@@ -49,7 +49,7 @@ def add_judged(steps: Pipeline, assessed: str = "assessed", name: str = "judged"
 
 
 def add_stillness(steps: Pipeline, method: Method, codes: str) -> None:
-    """Add the step *stillness*, of some codes: what stands still where a channel begins and ends."""
+    """Add the step *stillness* of some codes: which channels stand still at their begin and end."""
     numbers = [n for n, setting in enumerate(method.settings) if setting.still_after is not None]
     for number in numbers:
         set_steps = OfSet(steps, method, number)

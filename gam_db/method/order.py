@@ -86,7 +86,7 @@ def pipeline(
 def opening_pipeline(
     readings: exp.Query, slicing: Slicing | None = None, ways: Ways | None = None
 ) -> Pipeline:
-    """Return the steps that are asked before it is known what else is: up to *names*, and what decides.
+    """Return the steps that come first, before the form of the others is known: up to *names*.
 
     Arguments as for :func:`pipeline` and :func:`trusting_pipeline`; without ``slicing`` the former.
     """

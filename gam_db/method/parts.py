@@ -1,4 +1,4 @@
-"""Parts of a script or a package: what may be left out of it, and what goes with each."""
+"""Parts of a script or a package that can be left out, and the steps of each."""
 
 from collections.abc import Collection, Mapping
 

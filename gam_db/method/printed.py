@@ -92,7 +92,7 @@ _READ_AS = {"asset_name": "asset", "channel_name": "channel", "instant": "time"}
 
 
 def rename(readings: exp.Query) -> None:
-    """Call the columns of a long table at once what they are called later on, in place.
+    """Rename the columns of a long table to their later names at once, in place.
 
     On engines where a column of the source goes before an alias of the same name in a condition.
     """
@@ -103,7 +103,7 @@ def rename(readings: exp.Query) -> None:
 
 
 def _join(steps: Pipeline, method: Method, step: str) -> None:
-    """Put the rows of all sets under one another, where there are several."""
+    """Unite the rows of all sets, if there are several."""
     if len(method.settings) > 1:
         parts = [method.named(step, number) for number in range(len(method.settings))]
         steps.add(step, union_of(steps, parts), template.load(f"script/{step}").comment)
@@ -258,7 +258,7 @@ def _add_bounds(set_steps: OfSet) -> None:
 
 
 def _add_certificate(set_steps: OfSet, parts: Collection[str], edges: Mapping[str, exp.Expr]) -> None:
-    """Add what calibration says about itself (method, section 5)."""
+    """Add the certificate (method, section 5)."""
     setting = set_steps.setting
     bins = {k: -(-setting.grid // 2**k) for k in range(setting.grid.bit_length() + 1)}
     rungs = [k for k in bins if k == 0 or bins[k] >= 2]
@@ -336,7 +336,7 @@ def _leave_out(rule: exp.Expr, verdicts: Collection[str]) -> None:
 
 
 def _where_learnt(name: str) -> exp.Expr:
-    """Return a column of what a channel has learnt, NULL where it has learnt nothing."""
+    """Return a column of the calibration of a channel, NULL where it has learnt nothing."""
     hit = exp.column("hit", table="learnt").eq(1)
     return exp.Case(ifs=[exp.If(this=hit, true=exp.column(name, table="learnt"))])
 

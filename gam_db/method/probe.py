@@ -112,7 +112,7 @@ def changed_slots(
 
 
 def add_certified(steps: Pipeline, has_pools: bool, has_programs: bool = False) -> None:
-    """Add what calibration says of each channel of all sets, both sides of it: *certified*."""
+    """Add the certificate of each channel of all sets, both sides of it: *certified*."""
     add(steps, "certificate/verdicts")
     slots: dict[str, template.Slot] = {
         name: template.fill(f"probe/{name}") for name in ("would_not_see", "blind_reason")

@@ -1,7 +1,7 @@
-"""Programs: what a machine was told to do, where a column of the source says so (both sides, section 5).
+"""Programs: the work of a machine, by a column of the source (both sides, section 5).
 
-A cell's key has the number of the program as its highest digit: all that follows looks keys up as ever.
-Without such a column nothing here adds a step or a column.
+The number of the program is the highest digit of a cell's key, so later steps look keys up as usual.
+Without such a column this module adds no step and no column.
 """
 
 from sqlglot import exp
@@ -21,7 +21,7 @@ _PROGRAM, _NUMBER = "program", "program_no"
 
 
 def has_programs(readings: exp.Query) -> bool:
-    """Tell whether a column of some readings says what a machine runs."""
+    """Tell whether some readings have a column of programs."""
     return _PROGRAM in readings.named_selects
 
 

@@ -21,7 +21,7 @@ ROUNDS = 4
 #: Pieces of a range in which samples are counted.
 PIECES = 128
 
-#: What is said of the samples that were left out of a range, and what is said where none was.
+#: Columns of the samples left out of a range, and their values if none was.
 DROPPED: Mapping[str, exp.Expr] = {
     **dict.fromkeys(("dropped_below", "dropped_above"), exp.cast(exp.Literal.number(0), "BIGINT")),
     **dict.fromkeys(("lowest_dropped", "highest_dropped"), exp.cast(exp.null(), "DOUBLE")),
@@ -83,7 +83,7 @@ def counts_of(number: int) -> str:
 
 
 def piece() -> exp.Expr:
-    """Return in which piece of a range a sample lies."""
+    """Return the number of the piece of a range that holds a sample."""
     return template.fill("range/piece", {"place": place_in(PIECES)})
 
 

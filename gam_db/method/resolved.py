@@ -1,4 +1,4 @@
-"""What the user asked for, resolved to integers and sets; and which steps are small."""
+"""The user's settings, resolved to integers and sets; and the list of small steps."""
 
 from dataclasses import dataclass, field
 
@@ -40,7 +40,7 @@ SMALL_OF_SET = frozenset(
 
 @dataclass(frozen=True)
 class Method:
-    """What the user asked for, resolved: the input of every pipeline.
+    """The user's settings, resolved: the input of every pipeline.
 
     It is data: two methods are equal, and have one hash, where the same steps follow from them.
 
@@ -131,12 +131,12 @@ class Method:
 
     @property
     def has_instants(self) -> bool:
-        """Tell whether calibration may be several single instants, and nothing between them."""
+        """Tell whether calibration may consist of several single instants."""
         pieces = (rule.allowed for rule in self.rules if len(rule.allowed) > 1)
         return any(start == end for allowed in pieces for start, end in allowed)
 
     def probed(self) -> set[str]:
-        """Return the steps that are kept where a probe is asked for.
+        """Return the steps to keep as tables if a probe is wanted.
 
         Cells are counted from the calibration vectors, and vectors picked, so that none is made twice.
         """

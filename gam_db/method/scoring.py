@@ -277,7 +277,7 @@ def _add_vectors_from_run_up(
 
 
 def _set_key(setting: Parameters, table: str) -> list[exp.Expr]:
-    """Return what a cell of a support is looked up by: one number where eight million supports fit."""
+    """Return the lookup key of a cell of a support: one number, if eight million supports fit."""
     support_id, cell_key = (exp.column(name, table=table) for name in ("support_id", "cell_key"))
     cells = setting.radix**setting.m
     if cells > LARGEST_KEY >> 23:

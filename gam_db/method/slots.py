@@ -60,7 +60,7 @@ def coordinates(setting: Parameters) -> list[exp.Expr]:
 
 
 def outside(setting: Parameters, above: exp.Expr | None = None) -> exp.Expr:
-    """Return the condition that one of these lies outside the calibrated range."""
+    """Return the condition that one of these codes lies outside the calibrated range."""
     return exp.or_(
         *(
             template.fill("embedding/outside", {"code": code, "above": above or setting.grid + 2})

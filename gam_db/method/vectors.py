@@ -1,4 +1,4 @@
-"""Codes and delay vectors (Eq. 1; Phi, method section 3), and what is asked of the samples before."""
+"""Codes and delay vectors (Eq. 1; Phi, method section 3), and conditions on earlier samples."""
 
 from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
@@ -119,7 +119,7 @@ def span_of(set_steps: OfSet, table: str | None = None) -> int | exp.Expr:
 
 
 def compared(setting: Parameters) -> list[exp.Expr]:
-    """Return what codes carry by which it is told which samples stand still."""
+    """Return the columns of codes that show which samples stand still."""
     return [] if setting.still_after is None else [exp.column("value")]
 
 
@@ -173,7 +173,7 @@ def _earlier(
 
 
 class Stream(NamedTuple):
-    """What is known of channels that are read as they are stored.
+    """Properties of channels that are read in stored order.
 
     Attributes:
         lacks: whether samples may be missing, or count as such since they stand still.
@@ -277,12 +277,12 @@ def counted_slots(setting: Parameters, stream: Stream) -> dict[str, template.Slo
 
 
 def small_key(setting: Parameters) -> exp.Expr:
-    """Return the key of a vector's cell, added up as it costs least where supports are kept as bits."""
+    """Return the key of a vector's cell, in the cheapest form for supports that are bits."""
     return exp.cast(cell_key(setting, "streams/cell_term"), "BIGINT")
 
 
 def is_outside(setting: Parameters) -> exp.Expr:
-    """Return 1 where one of these lies outside the calibrated range, else 0."""
+    """Return 1 if one of these codes lies outside the calibrated range, else 0."""
     return _flag(outside(setting))
 
 
@@ -352,7 +352,7 @@ def _breaking(gap: int | exp.Expr, rows: int | None = None) -> exp.Expr:
 def _in_segment(
     setting: Parameters, span: int | exp.Expr, rows: int | None = None
 ) -> tuple[dict[str, exp.Expr], exp.Expr]:
-    """Return what tells whether all samples of a vector are in one segment, and the condition.
+    """Return the columns that show whether the samples of a vector are in one segment, and a condition.
 
     The newest sample that begins one is looked for as far back as the largest span reaches: one before
     the vector decides nothing.

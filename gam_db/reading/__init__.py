@@ -1,1 +1,1 @@
-"""From a relation to readings: which column is what, how time is told there, words read as numbers."""
+"""From a relation to readings: the roles of columns, the kind of time, and texts read as numbers."""

@@ -1,7 +1,7 @@
-"""Preparing a source: columns that hold something else than numbers and times are read as such.
+"""Preparing a source: columns of other types are read as numbers and times.
 
 This module owns what becomes of a column by its type and by what was said of how it is written (method,
-section 2), and what is said of words that do not fit. All forms of the method read through it.
+section 2), and the errors on words that do not fit. All forms of the method read through it.
 """
 
 import contextlib
@@ -93,7 +93,7 @@ def _prepared(
 def as_written(
     session: Session, source: AnySource, columns: dict[str, str], stored: exp.Expr
 ) -> tuple[dict[str, str], exp.Expr]:
-    """Return the columns and the node of a text file with what its words say; of all else as they are.
+    """Return the columns and the node of a text file with the types of its texts; of others unchanged.
 
     Raises:
         SourceError: a word of the time column is no time, or no count.
@@ -174,7 +174,7 @@ def with_times_read(
 def _changes(
     session: Session, source: AnySource, columns: dict[str, str], stored: exp.Expr
 ) -> dict[str, exp.Expr]:
-    """Return what is read in the place of columns."""
+    """Return the expressions to read instead of columns."""
     types, texts = session.engine.types, session.engine.texts
     changes: dict[str, exp.Expr] = {}
     misread = partial(Misfits, session, stored, parsed_condition(source.where))

@@ -1,4 +1,4 @@
-"""Steps that ask the certificate: which m and B can the calibration at hand fill, and the last tables.
+"""Steps that use the certificate: the m and B that a calibration can fill, and the last tables.
 
 This module makes trees; it runs nothing.
 """

@@ -1,4 +1,4 @@
-"""Steps that look along time: mutual information, autocorrelation, the delay, the cycle.
+"""Steps along time: mutual information, autocorrelation, the delay, the cycle.
 
 This module makes trees; it runs nothing.
 """

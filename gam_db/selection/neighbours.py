@@ -1,4 +1,4 @@
-"""Steps that look for neighbours: the embedding, false nearest neighbours, Cao's quantities.
+"""Steps of the neighbour search: the embedding, false nearest neighbours, Cao's quantities.
 
 Exact neighbours are found box-assisted: the range is cut into boxes along at most five coordinates; a
 neighbour nearer than the side of a box must lie in the box of its vector or beside it. Vectors without
@@ -139,7 +139,7 @@ def _add_probes(steps: Pipeline, search: Search, d: int) -> None:
 
 
 def _add_search(steps: Pipeline, d: int, usable: int, finest: int, waiting: Waiting) -> tuple[str, int]:
-    """Add the rounds of one search; return the step with all found, and the finest halvings of use.
+    """Add the rounds of one search; return the step with all neighbours, and the finest useful halvings.
 
     No more halvings are tried than were of use at the dimension before: with one coordinate more, no
     vector has a nearer neighbour.

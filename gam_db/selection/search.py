@@ -22,7 +22,7 @@ MOST_REFERENCES = 2**14
 @declared
 @dataclass(frozen=True)
 class Search:
-    """How parameters are looked for (method, section 8).
+    """Settings of the search for parameters (method, section 8).
 
     Raises:
         ParameterError: a value is out of its range.

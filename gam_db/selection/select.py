@@ -1,6 +1,6 @@
-"""The public call: a source in, curves and choices out.
+"""The public call of selection: a source in, curves and choices out.
 
-This module owns what becomes of the other channels where a statement fails: they are asked about alone.
+If a statement fails, this module queries each channel alone, so that the others have a result.
 """
 
 import contextlib
@@ -41,7 +41,7 @@ FAILURES = pa.schema([("asset", pa.string()), ("channel", pa.string()), ("reason
 
 @dataclass(frozen=True)
 class Selection:
-    """What was found for each channel (method, section 8). Tables are Arrow, ordered by channel.
+    """The results for each channel (method, section 8). Tables are Arrow, ordered by channel.
 
     Attributes:
         choices: one row per channel: asset, channel, samples and usable (of calibration); tau, in
@@ -136,7 +136,7 @@ def select(
         Curves and choices. A channel for which nothing can be chosen has a status that says so.
 
     Raises:
-        UserError: see its subclasses; the message says what to mend.
+        UserError: see its subclasses; the message says what to correct.
         ArgumentError: an option that :class:`gam_db.selection.search.Search` does not have.
     """
     check_names("select", search, [*_ARGUMENTS, *settings_of(Search)])

@@ -1,6 +1,6 @@
-"""Form: how numbers and times are written in a source, and what a word that did not fit asks for.
+"""Form: how numbers and times are written in a source, and the options for words that do not fit.
 
-This module owns the options that say so, and which of them would read some words. It reads nothing.
+This module owns these options, and finds those that would read some words. It reads nothing.
 """
 
 import datetime as dt
@@ -72,7 +72,7 @@ def _zone(_: Setting, name: str, value: Any) -> str:
 
 _ZONE = Kind(_zone)
 
-#: What is said of rows, not of how words are written.
+#: Settings of rows, not of how words are written.
 _OF_ROWS = ("source_time_zone", "valid_when", "program")
 
 
@@ -96,18 +96,18 @@ class Form:
 
     @property
     def written(self) -> dict[str, Any]:
-        """What was said of how things are written, by name."""
+        """The settings of the form that are set, by name."""
         settings = {name: getattr(self, name) for name in settings_of(Form)}
         return {name: value for name, value in settings.items() if value}
 
     @property
     def of_words(self) -> tuple[str, ...]:
-        """The names of what was said that only a reader of text heeds, not the SQL of every engine."""
+        """The names of the settings that only readers of text support, not the SQL of every engine."""
         return tuple(name for name in self.written if name not in _OF_ROWS)
 
     @property
     def reads_words(self) -> bool:
-        """Tell whether it was said how numbers are written as text."""
+        """Whether a setting says how numbers are written as text."""
         return bool(self.decimal or self.thousands or self.unit or self.null)
 
 

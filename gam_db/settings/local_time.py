@@ -1,4 +1,4 @@
-"""Local time: which instant a clock of a time zone shows, where a source tells time without one.
+"""Local time: the instants of a source whose times have no zone, by the clock of a time zone.
 
 This module owns the changes of a zone, as integers, and the formulas made of them. They are data in the
 SQL: no engine's own time zones and no setting of a session matter.
@@ -149,7 +149,7 @@ def local_time(name: str) -> LocalTime:
 
 
 def by_time(time: exp.Expr, pieces: Sequence[Piece], shift_of: Callable[[Piece], Shift]) -> exp.Expr:
-    """Return what is told of the piece that a local time lies in, as a number in 64 bits."""
+    """Return the piece that holds a local time, packed as a number of 64 bits."""
     steps: list[tuple[int, Shift]] = []
     for piece in pieces:
         if not steps or steps[-1][1] != shift_of(piece):

@@ -256,13 +256,13 @@ class Parameters:
         return dataclasses.replace(general, overrides=overrides)
 
     def closed(self, **chosen: int) -> "Parameters":
-        """Return the same with what was chosen, else as in :meth:`finest`; overrides left aside."""
+        """Return the same with the chosen settings, else as in :meth:`finest`; without overrides."""
         usual = {"tau": 1, "bins": self.grid, "window": self.stride or LONGEST_STRIDE}
         changes: dict[str, Any] = {name: usual[name] for name in self.open_settings}
         return dataclasses.replace(self, overrides=(), **{**changes, **chosen})
 
     def numbers(self) -> dict[str, Any]:
-        """Return the settings that calibration may choose, and the stride that goes with them."""
+        """Return the settings that calibration may choose, and the stride that belongs to them."""
         return {name: getattr(self, name) for name in (*OPENABLE, "stride")}
 
     @classmethod

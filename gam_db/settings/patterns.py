@@ -1,6 +1,6 @@
-"""The overrides that say one thing of each channel, with as few patterns as do.
+"""Overrides that set one value for each channel, with as few patterns as possible.
 
-This module owns the choice of patterns. It knows no parameter: what is said is compared, no more.
+This module owns the choice of patterns. It knows no parameters: it only compares values.
 """
 
 from collections import Counter
@@ -16,7 +16,7 @@ _Setting = TypeVar("_Setting", bound=Hashable)
 
 
 def grouped(settings: Mapping[Name, _Setting]) -> list[tuple[Name, _Setting]]:
-    """Return patterns of asset and channel with what each says, the first that matches being the one.
+    """Return patterns of asset and channel, each with its value; the first that matches applies.
 
     What most channels have in common comes last; before it stand the assets, or the channels of one
     name, most of which differ from that in the same way, and before these single ones.
@@ -37,7 +37,7 @@ def grouped(settings: Mapping[Name, _Setting]) -> list[tuple[Name, _Setting]]:
 
 
 def _is_met(settings: Mapping[Name, _Setting], rules: list[tuple[Name, _Setting]]) -> bool:
-    """Tell whether rules say what they are to; only a sign of patterns in a name can spoil that."""
+    """Tell whether rules give the right values; only a wildcard in a name can break that."""
     if not any(sign in part for name in settings for part in name for sign in "*?"):
         return True
     return all(
@@ -69,6 +69,6 @@ def _commonest(values: list[_Setting]) -> _Setting:
 
 
 def _width(pattern: Name) -> tuple[int, int]:
-    """Return what is less for a pattern that names fewer channels, as far as that can be told."""
+    """Return a sort key that is smaller for a pattern that matches fewer channels, if that is known."""
     whole = sum(part == "*" for part in pattern)
     return whole, sum(part.count(sign) for part in pattern for sign in "*?") - whole

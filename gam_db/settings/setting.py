@@ -1,7 +1,7 @@
-"""What can be set is said once: a field of a dataclass with its default and range, its unit and words.
+"""Each setting is declared once: a field of a dataclass with its default, range, unit and words.
 
-This module owns how a field says so, and how a value is checked. The option of the command line, the key
-of gam.toml, the keyword in Python and the line of docs/gam.toml all follow from the field, whose words
+This module owns the form of declarations, and the check of values. The option of the command line, the
+key of gam.toml, the keyword in Python and the line of docs/gam.toml all follow from the field. Its words
 are in ``settings.toml``.
 """
 
@@ -39,7 +39,7 @@ class Kind:
 
 @dataclass(frozen=True)
 class Setting:
-    """What a field says of itself beside its type."""
+    """The declaration of a setting, besides the type of its field."""
 
     default: Any  # what counts where nothing is said
     takes: Kind  # the values it takes
@@ -58,7 +58,7 @@ class Setting:
 
     @property
     def help(self) -> str:
-        """What the option's help says."""
+        """The help of the option."""
         parts = [self.what + self.takes.how.format(example=self.example)]
         parts += [self.more] if self.more else []
         usual = self.usual
@@ -71,7 +71,7 @@ class Setting:
         return f"{words[0].upper()}{words[1:]}."
 
     def checked(self, name: str, value: Any) -> Any:
-        """Return a value as it is kept; a ParameterError says that it is none that the setting takes."""
+        """Return a value as the setting stores it; raise a ParameterError for an unacceptable one."""
         if value is self.default or (self.off is not None and value is self.off[0]):
             return value
         return self.takes.checked(self, name, value)
@@ -83,7 +83,7 @@ class Setting:
         return self.takes.checked(self, name, value)
 
     def of_option(self, option: str, value: Any) -> Any:
-        """Return the value that an option says, unchecked; 'none' means that there is none."""
+        """Return the value of the text of an option, unchecked; 'none' means no value."""
         if value == "none" and self.off is not None:
             return self.off[0]
         return self.takes.read(option, value)
@@ -96,7 +96,7 @@ def setting(default: Any, takes: Kind, what: str = "", **more: Any) -> Any:
 
 @cache
 def settings_of(of: type) -> Mapping[str, Setting]:
-    """Return what can be set in a dataclass, by name; what it shares with others comes last."""
+    """Return the settings of a dataclass by name; those that it shares with others come last."""
     fields = sorted(dataclasses.fields(of), key=lambda field: field.kw_only is True)
     words: dict[str, Mapping[str, Any]] = {}
     for owner in reversed(of.__mro__):
@@ -113,7 +113,7 @@ def _worded(unworded: Setting, off: str | None = None, **words: Any) -> Setting:
 
 
 def declared(of: type[_Class]) -> type[_Class]:
-    """Add to the docstring of a dataclass what its settings say."""
+    """Add the texts of its settings to the docstring of a dataclass."""
     lines = (f"    {name}: {worded.help}" for name, worded in settings_of(cast(Any, of)).items())
     of.__doc__ = "\n    ".join([(of.__doc__ or "").rstrip(), "", "Settings:", *lines]) + "\n    "
     return of

@@ -1,4 +1,4 @@
-"""Sources: where the telemetry lies, and which columns say what.
+"""Sources: the relation of the telemetry, and the roles of its columns.
 
 This module owns the two layouts and turns a source into the step *readings*. It runs nothing.
 """
@@ -69,7 +69,7 @@ class Source(Form):
 
     @property
     def columns(self) -> dict[str, str]:
-        """The columns to be read, by what they say."""
+        """The columns to read, by role."""
         columns = {"asset": self.asset, "channel": self.channel, "time": self.time, "value": self.value}
         columns["program"] = self.program
         return {role: column for role, column in columns.items() if column is not None}
@@ -112,7 +112,7 @@ class WideSource(Form):
 
     @property
     def columns(self) -> dict[str, str]:
-        """The columns to be read, by what they say; channels are numbered."""
+        """The columns to read, by role; channels are numbered."""
         columns = {"asset": self.asset, "time": self.time, "program": self.program}
         named = {role: column for role, column in columns.items() if column is not None}
         return named | {f"channel {n}": column for n, column in enumerate(self.value_columns, 1)}
@@ -128,7 +128,7 @@ AnySource = Source | WideSource
 
 @dataclass(frozen=True)
 class Programs:
-    """The column that says which program a machine runs.
+    """The column of programs.
 
     Attributes:
         column: its name in the source.
@@ -174,7 +174,7 @@ def check_zone(source: AnySource, kind: TimeKind) -> None:
 
 
 def clock_of(source: AnySource) -> LocalTime | None:
-    """Return the clock by which a source tells time; None if that is UTC."""
+    """Return the local clock of a source; None if that is UTC."""
     return None if source.source_time_zone is None else local_time(source.source_time_zone)
 
 
@@ -237,7 +237,7 @@ def up_to(rows: exp.Query, time: str, until: exp.Expr | int | None) -> exp.Query
 
 
 def _program(source: AnySource) -> dict[str, template.Slot]:
-    """Return the slots of the column that says which program a machine runs; empty where none does."""
+    """Return the slots of the column of programs; empty if there is none."""
     if source.program is None:
         return {"program": [], "carried": []}
     named = exp.alias_(exp.cast(template.column(source.program), "VARCHAR"), "program_name")
@@ -330,13 +330,13 @@ def is_spreadsheet(relation: object) -> bool:
 
 
 def as_folder(path: Any) -> Any:
-    """Return a path with the slash that says that it is a folder's, if it is one; all else as it is."""
+    """Return the path of a folder with a slash at the end; anything else unchanged."""
     is_folder = isinstance(path, (str, Path)) and path != "" and Path(path).is_dir()
     return f"{str(path).rstrip('/')}/" if is_folder else path
 
 
 def slashed(path: str | Path, original: str) -> str:
-    """Return what became of a path, with the slash that says that it is a folder's, if it had one."""
+    """Return a changed path, with the slash of a folder at the end if the original had one."""
     return f"{path}/" if original.endswith("/") else str(path)
 
 

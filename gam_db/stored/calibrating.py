@@ -171,7 +171,7 @@ def number_of(asset: str, patterns: Sequence[str]) -> int:
 
 
 def settings_hash(method: Method, channel: Mapping[str, Any]) -> str:
-    """Return what tells whether a channel's settings are those of its version.
+    """Return a hash of the settings of a channel, to compare with that of its version.
 
     Of the channel must be known: asset, channel, settings_no and calibration_no.
     """
@@ -225,7 +225,7 @@ def differing(
 
 
 def method_hash() -> str:
-    """Return what tells whether the method itself is the one a version was made by."""
+    """Return a hash of the method, to compare with that of a version."""
     digest = hashlib.sha256()
     for path in sorted(template.sql_folder().glob("*/*.sql")):
         if path.parent.name in _METHOD:

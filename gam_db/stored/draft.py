@@ -1,7 +1,7 @@
-"""What calibration made and nobody sees yet: written as a whole, versions and limits together.
+"""A new calibration before readers see it: versions and limits are written together.
 
-This module owns the order in which that is written: the rows in ``gam_state_version`` come last, after
-the limits, so that versions and limits are there together or not at all.
+This module owns the order of writing: the rows in ``gam_state_version`` come last, after the limits, so
+that readers see versions and limits together or not at all.
 """
 
 from collections import defaultdict
@@ -39,7 +39,7 @@ _PARTS = (
 
 
 class Draft:
-    """What calibration made and nobody sees yet.
+    """A new calibration that readers do not see yet.
 
     Where there are transactions, it waits in temporary tables for one that writes all of it. Elsewhere
     the rows of a group are appended at once, but for those of versions, without which they are not seen.

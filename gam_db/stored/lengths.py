@@ -1,6 +1,6 @@
-"""Lengths of time that scoring, status and pruning read alike, and their values if nothing is said.
+"""Lengths of time that scoring, status and pruning share, and their defaults.
 
-This module owns the defaults. A counter has no hours, so nothing is assumed of it.
+This module owns the defaults. A counter has no hours, so it has no defaults.
 """
 
 from typing import Literal

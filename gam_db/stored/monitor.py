@@ -99,12 +99,12 @@ class Monitor(MonitorSettings):
         return self.state
 
     def close(self) -> None:
-        """Close the database if this monitor opened it; a session that was given stays open."""
+        """Close the database if this monitor opened it; a session of the caller stays open."""
         if self._is_ours:
             self.session.close()
 
     def check(self, on_step: Listener = unheard) -> pa.Table:
-        """Look at the source before anything is learnt of it; no state is needed.
+        """Check the source before calibration; this needs no state.
 
         Args:
             on_step: called with the name of each step before it is run.
@@ -118,15 +118,15 @@ class Monitor(MonitorSettings):
         return look_at(self.session, self.source, self.parameters, self.calibration, on_step).table
 
     def migrate(self) -> list[str]:
-        """Make or change the state tables; return the names of what was applied."""
+        """Create or change the state tables; return the names of the applied migrations."""
         return [step.name for step in migrations.migrate(self.session, self.state.tables)]
 
     def calibrate(
         self, again: bool = False, limit: int | None = None, on_step: Listener = unheard
     ) -> pa.Table:
-        """Freeze what calibration teaches; see :func:`gam_db.stored.calibrating.calibrate`.
+        """Calibrate the channels and freeze the result; see :func:`gam_db.stored.calibrating.calibrate`.
 
-        What is labelled true_fault or maintenance is left out of it.
+        It leaves out intervals that are labelled true_fault or maintenance.
 
         Args:
             again: make a new version of every channel, even with the same settings.
@@ -165,26 +165,26 @@ class Monitor(MonitorSettings):
         limit: int | None = None,
         on_step: Listener = unheard,
     ) -> Report:
-        """Bring the stored buckets up to date, reading only what is new.
+        """Bring the stored buckets up to date; read only new rows.
 
         Args:
-            since: score anew from this instant on: what repairs after rows that came too late.
-            until: read nothing newer; buckets after it are hidden until the next run without it.
+            since: score anew from this instant on, to repair buckets that lack late rows.
+            until: read no newer rows; later buckets are hidden until the next run without it.
             full: score everything anew.
-            confirm: do either even where buckets would be lost, whose rows are gone from the source.
-            everything: look at parked channels and count calibration anew, without waiting for a day.
+            confirm: do either even if that loses buckets whose rows are gone from the source.
+            everything: check parked channels and count calibration anew now, not only once a day.
             asset: pattern of the assets to score (``*`` any text, ``?`` one character).
             channel: pattern of the channels to score.
-            dry_run: look at the source and tell what would be read; write nothing.
+            dry_run: return what would be read; write nothing.
             limit: most readings to work on at once; None for what memory allows.
             on_step: called with what is done next.
 
         Returns:
-            What was read and made; see :class:`gam_db.stored.scoring.report.Report`.
+            The rows read and written; see :class:`gam_db.stored.scoring.report.Report`.
 
         Raises:
             UserError: there is no such monitor, or the source cannot be used. Channels that were scored
-                before the error stay scored; of the others nothing is half written.
+                before the error stay scored; no other channel is half written.
         """
         kind = kind_of(self._required.monitor(self.name))
         wanted = Wanted(
@@ -203,17 +203,17 @@ class Monitor(MonitorSettings):
         return Run(self.state, self.source, self.name, wanted, on_step).go(dry_run)
 
     def check_state(self, limit: int | None = None, on_step: Listener = unheard) -> pa.Table:
-        """Compare all that is stored with the source, and with itself.
+        """Compare the stored tables with the source, and with one another.
 
-        That it was done is recorded in the state, as far as the session can write.
+        The state records the check, if the session can write.
 
         Args:
             limit: most readings to work on at once; None for what memory allows.
             on_step: called with what is done next.
 
         Returns:
-            One row per difference: what came too late, was corrected, or went, and what was changed or
-            damaged in the tables; none if all is as one run over the whole source would have it. See
+            One row per difference: rows that came too late, were corrected, or went, and damage or
+            changes of the tables; none if the state equals one run over the whole source. See
             :func:`gam_db.stored.checking.check_state` for the columns.
 
         Raises:
@@ -225,13 +225,13 @@ class Monitor(MonitorSettings):
         return checked.differences
 
     def checked_state(self, limit: int | None = None, on_step: Listener = unheard) -> Checked:
-        """Return what :meth:`check_state` does, and what is to be recorded of it; nothing is written."""
+        """Return the result of :meth:`check_state` and the record of the check; write nothing."""
         kind = kind_of(self._required.monitor(self.name))
         lookback = lengths.lookback(self.lookback, kind, repeat_of(self.source))
         return check_state(self.state, self.source, self.name, lookback, limit, on_step)
 
     def status(self) -> pa.Table:
-        """Return what the state says of each channel, the most urgent first; the source is not read.
+        """Return the stored status of each channel, the most urgent first; read no source.
 
         Returns:
             One row per channel; see :func:`gam_db.stored.status.status` for the columns.
@@ -242,10 +242,10 @@ class Monitor(MonitorSettings):
         return status(self.state, self.name, self.park_after)
 
     def data_problems(self) -> pa.Table:
-        """Return what is wrong with the data, apart from machines that need attention.
+        """Return the problems of the data, apart from machines that need attention.
 
-        The source is not read: it is what runs found and stored. No row means that nothing of the data
-        is known to be wrong.
+        It reads only what runs stored, not the source. No row means that no problem of the data is
+        known.
 
         Returns:
             One row per problem; see :func:`gam_db.stored.problems.data_problems` for the columns.
@@ -256,7 +256,7 @@ class Monitor(MonitorSettings):
         return assessed(self.state, self.name, self.park_after).problems
 
     def alarms(self) -> pa.Table:
-        """Return the episodes, those that need attention first; the source is not read.
+        """Return the episodes, those that need attention first; read no source.
 
         Returns:
             One row per episode; see :func:`gam_db.stored.alarms.alarms` for the columns.
@@ -277,32 +277,32 @@ class Monitor(MonitorSettings):
         until: dt.datetime | None = None,
         instead: bool = False,
     ) -> list[int]:
-        """Keep what is known of an episode, or of an asset from one instant to another.
+        """Store a label on an episode, or on an asset from one instant to another.
 
         Args:
             kind: true_fault, false_alarm, maintenance, new_program, acknowledged or snoozed.
-            episode: its number; else say asset and span.
+            episode: its number; without it, give asset and span.
             asset: the machine.
             span: first and last instant.
-            note: what else there is to say.
+            note: a remark.
             until: when an acknowledgement, or a snooze, ends; with a time zone, else UTC.
-            instead: let it replace another decision.
+            instead: replace an earlier decision that contradicts this one.
 
         Returns:
-            The numbers of the episodes that it is about.
+            The numbers of the labelled episodes.
 
         Raises:
-            UserError: it is about nothing, or contradicts what was said before; nothing is written.
+            UserError: there is no such episode or asset, or an earlier label contradicts it.
         """
         about = (self._required, self.name, kind, episode, asset, span)
         return stored_alarms.label(*about, note, until, instead)
 
     def limits(self, again: bool = False, reason: str = "asked for") -> pa.Table:
-        """Return by what each channel is judged now, or why it is not; perhaps made again.
+        """Return the current limit of each channel, or why it has none; compute new ones on request.
 
         Args:
-            again: make new ones of all channels, for the judgements to come.
-            reason: why, as it is kept with them.
+            again: compute new limits of all channels, for later judgements.
+            reason: the reason that is stored with them.
 
         Returns:
             One row per channel, as of :func:`gam_db.limits`, with limit_no, from_judgement, cause and
@@ -333,7 +333,7 @@ class Monitor(MonitorSettings):
         keep_versions: int | None = None,
         dry_run: bool = False,
     ) -> pa.Table:
-        """Delete what is old or hidden, and return how much there was and is of each channel.
+        """Delete old and hidden rows; return the row counts of each channel before and after.
 
         Args:
             keep: instead of the monitor's own; see :func:`gam_db.stored.pruning.prune`.
@@ -342,14 +342,14 @@ class Monitor(MonitorSettings):
             dry_run: undo it all; the result is the same.
 
         Raises:
-            UserError: there is no such monitor, a length is none, or the database cannot be written.
+            UserError: there is no such monitor, a length is wrong, or the database cannot be written.
         """
         age = self.keep if keep is None else keep
         novel_age = self.keep_novel if keep_novel is None else keep_novel
         return prune(self.state, self.name, age, novel_age, keep_versions, self.lookback, dry_run)
 
     def health(self, asset: str = "*", channel: str = "*") -> pa.Table:
-        """Return the stored health indicator; the source is not read.
+        """Return the stored health indicator; read no source.
 
         Args:
             asset: pattern of the assets (``*`` any text, ``?`` one character).
@@ -373,7 +373,7 @@ class Monitor(MonitorSettings):
     def report(
         self, path: str | Path, wishes: Wishes | None = None, on_step: Listener = unheard
     ) -> dict[str, Any]:
-        """Write the page for people who look: one HTML file, which needs nothing else.
+        """Write the page of the monitor: one self-contained HTML file.
 
         It reads the state, and the raw readings of the signals in detail where the source can be read.
 

@@ -1,7 +1,7 @@
-"""Data problems: what is wrong with the data of a monitor, apart from machines that need attention.
+"""Data problems: problems of the data of a monitor, apart from machines that need attention.
 
-Which there are is said by ``sql/stored/state/data_problems.sql``, of the state alone. This module owns
-the table of them, and their sentences, which stand in ``problems.toml``.
+``sql/stored/state/data_problems.sql`` finds them, in the state alone. This module owns their table and
+their sentences, which are in ``problems.toml``.
 """
 
 import datetime as dt
@@ -23,7 +23,7 @@ _WORDS: Mapping[str, Mapping[str, str]] = data.table("gam_db.stored", "problems.
 #: The kinds, in the order in which they are listed.
 KINDS = tuple(_WORDS)
 
-#: What is said of readings without a program.
+#: The text for readings without a program.
 _NO_PROGRAM = "nothing says what ran"
 
 #: What a problem lacks that is not of a version.

@@ -1,7 +1,7 @@
-"""Pruning: old and hidden rows of the state go, so that no channel grows without bound.
+"""Pruning: delete old and hidden rows of the state, so that no channel grows without bound.
 
-This module owns how long what is kept. What a restart needs stays whatever its age, so that pruning
-changes nothing that a later run computes.
+This module owns how long rows stay. Rows that a restart needs stay at any age, so that pruning does not
+change the results of later runs.
 """
 
 import contextlib
@@ -82,7 +82,7 @@ def prune(
     lookback: Length | None = None,
     dry_run: bool = False,
 ) -> pa.Table:
-    """Delete what is too old and what is hidden, and return what there was and is.
+    """Delete old and hidden rows, and return the row counts before and after.
 
     It is one transaction where there are any; else what is cut short is mended by the next call.
 

@@ -13,7 +13,7 @@ from gam_db.stored.schema.tables import StateTables
 @declared
 @dataclass(kw_only=True)
 class MonitorSettings:
-    """What is kept in the database, where, and for how long.
+    """Settings of the stored tables: their place, and how long rows stay.
 
     Lengths are counter steps, or seconds, a timedelta or a text where the source has timestamps.
 
@@ -61,5 +61,5 @@ class MonitorSettings:
 
     @property
     def tables(self) -> StateTables:
-        """Where the state lies."""
+        """The schema and prefix of the state."""
         return StateTables(self.schema, self.prefix)

@@ -30,7 +30,7 @@ _MORE = "and"
 
 
 def described(source: AnySource) -> dict[str, str | None]:
-    """Return what is kept of a source: the values of :data:`SOURCE_COLUMNS`."""
+    """Return the stored description of a source: the values of :data:`SOURCE_COLUMNS`."""
     condition = source.where.sql("duckdb") if isinstance(source.where, exp.Expr) else source.where
     return {
         "source": _shown(source.relation) + _written(source),

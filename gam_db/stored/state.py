@@ -1,4 +1,4 @@
-"""The state of one monitor: what is stored of it, by the files of ``sql/stored``.
+"""The stored state of monitors, read and appended to by the files of ``sql/stored``.
 
 This module owns how state tables are read and appended to. It decides nothing.
 """
@@ -72,7 +72,7 @@ class State:
         self.session.execute(insertion(self.tables.table(table), query))
 
     def append_rows(self, table: str, rows: Sequence[Row]) -> None:
-        """Append rows, if any, to a state table: what it has columns for, NULL for what a row lacks."""
+        """Append rows, if any, to a state table: the values of its columns, NULL for missing ones."""
         if not rows:
             return
         schema = columns_of(table)
@@ -144,7 +144,7 @@ class State:
                 )
 
     def lock(self, monitor_id: int) -> None:
-        """Let nobody else publish or prune runs of a monitor until this transaction ends, if it is one.
+        """Keep others from publishing or pruning runs of a monitor until this transaction ends, if any.
 
         Raises:
             ConflictError: another one does so, and the engine does not wait for it.
@@ -160,7 +160,7 @@ class State:
 
 
 def locking(tables: StateTables, monitor_id: int) -> list[exp.Expr]:
-    """Return the statements that let nobody else publish runs of a monitor in a transaction."""
+    """Return the statements that keep other transactions from publishing runs of a monitor."""
     return _touching(tables.table("monitor"), "monitor_id", monitor_id, "created")
 
 
@@ -173,7 +173,7 @@ def _touching(table: exp.Table, key: str, value: int, column: str) -> list[exp.E
 
 
 def kind_of(monitor: Mapping[str, Any]) -> TimeKind:
-    """Return how the source of a monitor tells time.
+    """Return the kind of time of the source of a monitor.
 
     Raises:
         StateError: its row says nothing that gam-db writes.

@@ -1,7 +1,7 @@
-"""Status: what the state says of every channel, without a look at the source.
+"""Status: the stored status of every channel, without reading the source.
 
-This module owns the table that ``gam status`` prints. What deserves attention is said by the view
-``gam_fleet``, why by :mod:`gam_db.findings`; what is wrong with data by :mod:`gam_db.stored.problems`.
+This module owns the table that ``gam status`` prints. The view ``gam_fleet`` decides what needs
+attention, :mod:`gam_db.findings` words the reasons, and :mod:`gam_db.stored.problems` data problems.
 """
 
 import datetime as dt
@@ -45,7 +45,7 @@ class Standing(NamedTuple):
         return int(pc.sum(self.channels["watched"]).as_py() or 0)
 
     def of_assets(self, pattern: str) -> "Standing":
-        """Return the same of some assets, with what is wrong with the monitor as a whole."""
+        """Return the same for some assets, with the problems of the monitor as a whole."""
         channels, problems = (
             table.filter(
                 pa.array([name is None or pattern_matches(pattern, name) for name in names], pa.bool_())
@@ -62,7 +62,7 @@ def status(
     park_after: Length | Literal[False] | None = None,
     now: int | None = None,
 ) -> pa.Table:
-    """Return what the state says of each channel of a monitor, the most urgent first.
+    """Return the stored status of each channel of a monitor, the most urgent first.
 
     A row is one channel under its active version:
 
@@ -211,7 +211,7 @@ def as_html(rows: pa.Table) -> str:
 
 
 def _remarked(row: Row) -> Row:
-    """Return a row whose status has what stands beside it: a label, or that it is far above."""
+    """Return a row whose status includes its label, or that it is far above its limit."""
     far = "far above" if row["is_far_above"] and row["onset"] is None else None
     return row | {"status": ", ".join(filter(None, (row["status"], row["label"], far)))}
 
@@ -237,7 +237,7 @@ def validity(state: State, monitor: str = "default") -> Row:
 
 
 def machines(state: State, monitor: str, channels: pa.Table) -> pa.Table:
-    """Return a row per machine, the one to be looked at first being first.
+    """Return a row per machine, the most urgent first.
 
     Columns: ``asset``; ``since`` (when the first of its signals above went above), ``above``, of how
     many ``watched`` signals, ``not_watched`` (nothing judges them), ``channels`` (all of them);

@@ -1,6 +1,6 @@
-"""A study: one source, one method, one session; runs the steps and hands out tables.
+"""A study: one source, one method, one session; runs the steps and returns tables.
 
-This module owns the order of work: look at the source, resolve what was asked, make the steps.
+This module owns the order of work: read the names of the source, resolve the settings, make the steps.
 """
 
 import contextlib
@@ -43,7 +43,7 @@ from gam_db.study.streaming import Streams
 
 
 class Study:
-    """What is known of a source under one method.
+    """A source under one method.
 
     Args:
         session: an open session; the caller closes it.
@@ -262,7 +262,7 @@ class Study:
             self.session.forget(self.relation)
 
     def _opening(self, slicing: Slicing | None = None, ways: Ways | None = None) -> Pipeline:
-        """Return the steps that are asked first."""
+        """Return the first steps."""
         steps = opened(*self._inputs, slicing, ways).copied()
         return self._with_file(steps)
 
@@ -282,7 +282,7 @@ class Study:
         return steps
 
     def begin_anew(self) -> None:
-        """Forget what was made of channels: others have the step *names* now."""
+        """Forget the results for channels: the step *names* has other channels now."""
         self.running.forget(but=("names", "readings"))
         if isinstance(self._form, Streams):
             self._form.begin_anew()
@@ -299,7 +299,7 @@ class Study:
             self._form.prepare(step)
 
     def _check_programs(self) -> None:
-        """Refuse more programs than keys have room for; where there are none, nothing is looked at."""
+        """Refuse more programs than keys have room for; without programs, do nothing."""
         if self.method.programs is None or self._is_checked:
             return
         self._is_checked = True
@@ -310,7 +310,7 @@ class Study:
             check_programs(self.method.settings[held[row["support_id"]]], row["program_no"] + 1)
 
     def _collapse(self) -> None:
-        """Let the readings be collapsed by instant, and the census be made of them."""
+        """Collapse the readings by instant, and make the census from them."""
         if not self._has_census:
             self._look_first()
             return
@@ -349,7 +349,7 @@ def studied(
     short_cuts: bool = False,
     targets: Collection[str] = (),
 ) -> Iterator[Study]:
-    """Give a study of a source, whose columns are guessed where only a relation is given.
+    """Yield a study of a source; guess the columns if only a relation is given.
 
     The method is the default one for None; for the engine see
     :func:`gam_db.engines.connecting.borrowed`, for all else :class:`Study`.

@@ -118,7 +118,7 @@ class Choosing:
         learners: Sequence[Row],
         has_probe: bool = True,
     ) -> Scores:
-        """Return the scores of learners; 0 where no probe is asked for.
+        """Return the scores of learners; 0 without a probe.
 
         Args:
             setting: as the user gave it.
@@ -157,7 +157,7 @@ class Choosing:
         return scores
 
     def settle(self, families: Sequence[Siblings], of_set: int) -> dict[int, dict[str, int]]:
-        """Choose for siblings with the same settings; return what is chosen for each unit."""
+        """Choose settings for siblings with the same settings; return the choice for each unit."""
         setting, m = families[0].setting, families[0].setting.m
         is_open = {name: name in setting.open_settings for name in ("tau", "bins", "window")}
         windows: dict[int, int] = {}
@@ -221,7 +221,7 @@ class Choosing:
     def _choose_delays(
         self, families: Sequence[Siblings], of_set: int, windows: Mapping[int, int]
     ) -> Scores:
-        """Choose the delay of each family; return the scores of the channels that were looked at."""
+        """Choose the delay of each family; return the scores of the examined channels."""
         setting = families[0].setting
         delays = DELAYS if setting.m > 1 else DELAYS[:1]
         looked: dict[int, list[int]] = {}
@@ -244,7 +244,7 @@ class Choosing:
         return {channel: scores.get(channel, {}) for of in looked.values() for channel in of}
 
     def _take(self, chosen: dict[int, dict[str, int]], unit: int, of: Parameters, **values: int) -> None:
-        """Keep what is chosen of a unit, as far as it is open; a dimension counts as such."""
+        """Store the choice for a unit, as far as its settings are open; a dimension counts as open."""
         is_open = ("m", *of.open_settings)
         chosen.setdefault(unit, {}).update({k: value for k, value in values.items() if k in is_open})
 
@@ -261,7 +261,7 @@ _LEARNERS = columns(
 
 
 def looked_at(siblings: Sequence[Row]) -> list[Row]:
-    """Return the siblings that are looked at: at most 16, evenly spread by asset in binary order."""
+    """Return the siblings to examine: at most 16, evenly spread by asset in binary order."""
     ordered = sorted(siblings, key=lambda row: (row["asset"].encode(), row["channel"].encode()))
     if len(ordered) <= MOST_SIBLINGS:
         return ordered
@@ -348,7 +348,7 @@ def _varies(row: Row) -> bool:
 
 
 def _is_whole(row: Row, window: int) -> bool:
-    """Tell whether all of a channel's calibration was looked at, in the blocks that count."""
+    """Tell whether all blocks of a channel's calibration that count were examined."""
     samples = row["calibration_samples"]
     return bool(samples <= 4 * STRETCH and window <= samples // 16)
 

@@ -133,7 +133,7 @@ class Census:
         )
 
     def _are_apart(self) -> bool:
-        """Tell whether calibration ends before scoring begins, which no rule need say."""
+        """Tell whether calibration ends before scoring begins, by the data; no rule requires it."""
         if self.method.is_parted:
             return True
         self._bound_edges()
@@ -169,12 +169,12 @@ class Census:
                 raise RepeatedError(TWICE)
 
     def _repeats_in_order(self, step: str) -> bool:
-        """Tell whether samples that are kept in order show it, before there are vectors."""
+        """Tell whether samples in stored order show repeated instants, before there are vectors."""
         names = {name_of(row) for row in self.running.rows("channels")}
         return any(name_of(row) in names for row in self._marked(step, "asset", "channel"))
 
     def _is_marked(self, steps: Collection[str]) -> bool:
-        """Tell whether some steps, which are kept, have a row with a mark."""
+        """Tell whether some kept steps have a row with a mark."""
         return any(self._marked(step, "channel_id") for step in steps)
 
     def _marked(self, step: str, *names: str) -> list[Row]:

@@ -1,4 +1,4 @@
-"""Running: the steps of a pipeline on an engine, small ones kept as tables on the way.
+"""Running the steps of a pipeline on an engine; small ones become temporary tables.
 
 This module owns when a step becomes a table and when that table goes.
 """
@@ -50,7 +50,7 @@ def once_more(
 
 
 def unheard(_: str) -> None:
-    """Listen to nothing."""
+    """Ignore a step."""
 
 
 class Running:
@@ -128,7 +128,7 @@ class Running:
         return answers
 
     def _is_spared(self, name: str, plan: Plan) -> bool:
-        """Tell whether nobody reads an input any more, since a round before had no row."""
+        """Tell whether no step reads an input any more, since an earlier round had no row."""
         if not any(step in self._materialized for step in self.steps.rounds):
             return False
         ends = [statement.name for statement in plan.statements if not statement.is_input]
@@ -158,7 +158,7 @@ class Running:
     def query_rows(
         self, path: str, slots: Slots | None = None, tables: Tables | None = None
     ) -> list[Row]:
-        """Return the rows of a file of ``sql/`` over the steps, none of which it becomes."""
+        """Return the rows of a file of ``sql/`` over the steps; it does not become a step."""
         steps, name = self.steps.copied(), path.rpartition("/")[2]
         steps.fill(name, path, slots, tables)
         return self.session.rows(steps.query(name, self.tables))
@@ -198,25 +198,25 @@ class Running:
         self.put(step or path.rpartition("/")[2], query)
 
     def load(self, step: str, rows: pa.Table) -> None:
-        """Let an Arrow table be the table of a step, instead of what was so before."""
+        """Use an Arrow table as the table of a step, instead of its former table."""
         if step in self._materialized:
             self.session.forget(self._materialized[step])
         self._materialized[step] = self.tables[step] = self.session.load(rows)
 
     def drop(self, step: str) -> None:
-        """Drop the table of a step, which is made anew when it is asked for."""
+        """Drop the table of a step; on demand the step is made anew."""
         table = self._materialized.pop(step)
         self.session.forget(table)
         for name in [name for name, of in self.tables.items() if of is table]:
             del self.tables[name]
 
     def release(self, step: str) -> exp.Table:
-        """Return the table of a step, which the caller drops; asked for again, the step is made anew."""
+        """Return the table of a step, which the caller drops; on demand the step is made anew."""
         del self.tables[step]
         return self._materialized.pop(step)
 
     def materialized(self, but: Container[str] = ()) -> list[str]:
-        """Return the steps that are kept, but some."""
+        """Return the kept steps, except some."""
         return [step for step in self._materialized if step not in but]
 
     def forget(self, but: Container[str] = ()) -> None:

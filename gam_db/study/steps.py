@@ -59,7 +59,7 @@ def filled(
     slicing: Slicing | None = None,
     ways: Ways | None = None,
 ) -> Pipeline:
-    """Return the steps of a method, which nobody may add to; asked again, the same ones.
+    """Return the steps of a method, read-only; the same ones at every call.
 
     The relation is the node to read from; that of the source does not matter. Slicing and ways are for
     the steps that trust; without slicing they look first.

@@ -1,4 +1,4 @@
-"""Streamed: what is asked of one channel in stored order, and of many channels in one statement.
+"""Streamed queries: of one channel in stored order, and of many channels in one statement.
 
 This module owns the queries of ``sql/streams``. Each is composed and written once, and called for every
 channel as a macro of DuckDB; names, instants and ranges reach it as the literals of the call.
@@ -61,7 +61,7 @@ def of_each(
     tables: Mapping[str, str] | None = None,
     labels: Sequence[str] = (),
 ) -> exp.Query:
-    """Return the rows of a query that is asked of each of some channels.
+    """Return the rows of a query over each of some channels.
 
     It is made of the slots of a channel, of which all have the same ones, over the steps at work;
     ``labels`` become the first columns, and tables are those of :meth:`Pipeline.add`. The session, of

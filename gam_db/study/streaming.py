@@ -60,7 +60,7 @@ class Streams:
 
     @property
     def has_begun(self) -> bool:
-        """Tell whether a step was given."""
+        """Whether a step was computed."""
         return bool(self._done)
 
     def begin_anew(self) -> None:
@@ -178,7 +178,7 @@ class Streams:
         return has_learnt
 
     def _probe(self) -> bool:
-        """Give the vectors by which supports are probed, where their blocks are told by streams, too."""
+        """Compute the vectors that probe supports, if streams also give their blocks."""
         if not self.has_blocks:
             return True
         for number, (stream, cells) in self._taught.items():
@@ -234,7 +234,7 @@ class Streams:
         return streamed.are_whole(self.running, visits, wanted)
 
     def _score(self) -> bool:
-        """Give the scored vectors, grouped; tell whether they are what they should be."""
+        """Compute the grouped scored vectors; tell whether their marks prove them right."""
         for number, setting in enumerate(self.method.settings):
             held, visited = (self.method.named(step, number) for step in ("support_bits", "visited"))
             self.running.keep(held)
@@ -273,7 +273,7 @@ class Streams:
 
     @property
     def _bits(self) -> Bits:
-        """How supports are kept."""
+        """The form in which supports are stored."""
         bits = self.running.session.engine.bits
         assert bits is not None
         return bits
@@ -307,7 +307,7 @@ class Streams:
         return True
 
     def _run_up(self, members: Sequence[Row], number: int, bounds: Mapping[int, Row]) -> list[Row]:
-        """Return the run-up of some channels: what calibration has found of it, else a look."""
+        """Return the run-up of some channels: from calibration, else by a query."""
         span = self.method.settings[number].reach
         learnt = self._reached if span else {}
         reached = dict(learnt)
@@ -345,7 +345,7 @@ class Streams:
     def _of_each(
         self, step: str, make: Make, channels: Sequence[ChannelSlots], *labels: str, **tables: str
     ) -> exp.Query:
-        """Return what is asked of each of some channels."""
+        """Return the queries for each of some channels."""
         return of_each(self.running, step, make, channels, tables, labels)
 
     def _rows_of_each(self, make: Make, channels: Sequence[ChannelSlots], **tables: str) -> list[Row]:
@@ -356,7 +356,7 @@ class Streams:
     def _give(
         self, step: str, make: Make, channels: Sequence[ChannelSlots], *labels: str, **tables: str
     ) -> None:
-        """Keep what is asked of each of some channels as a step, in the place of what it was."""
+        """Keep the results of a query over some channels as a step, instead of its former table."""
         self._replace(step, self._of_each(step, make, channels, *labels, **tables))
         self.running.forget(but=self.running.tables.keys() - {step})
         self.running.keep(step)

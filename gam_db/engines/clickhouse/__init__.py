@@ -54,7 +54,7 @@ def _stored(definition: Definition) -> list[exp.Expr]:
 
 
 def _null_by_type(column: exp.ColumnDef) -> None:
-    """Say by its type whether a column can be NULL; ``Nullable(Int64) NOT NULL`` is refused."""
+    """Write by the type whether a column can be NULL; ``Nullable(Int64) NOT NULL`` is refused."""
     present = [rule for rule in column.constraints if isinstance(rule.kind, exp.NotNullColumnConstraint)]
     for rule in present:
         rule.pop()

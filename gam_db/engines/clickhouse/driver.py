@@ -215,7 +215,7 @@ class ClickHouseDriver(Driver):
         return [(database, name) if database else (name,) for database, name in rows]
 
     def describe(self, relation: exp.Expr) -> dict[str, str]:
-        """Return columns and their types; of another database only where the name says so."""
+        """Return columns and their types; of another database only if the name contains it."""
         try:
             described = exp.Describe(this=relation.copy(), kind="TABLE")
             rows = self.fetch(self.engine.text(described)).to_pylist()
@@ -276,7 +276,7 @@ def folder(address: str, writable: bool) -> dict[str, Any]:
 
 
 def is_locked(folder: str | None) -> bool:
-    """Tell whether another process holds a folder of chdb; the error itself does not say."""
+    """Tell whether another process holds a folder of chdb; the error itself does not tell."""
     if folder is None:
         return False
     fcntl = importlib.import_module("fcntl")  # chdb runs only where it is there

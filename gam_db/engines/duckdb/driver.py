@@ -86,7 +86,7 @@ class DuckDriver(Driver):
         self._registered: set[str] = set()
 
     def execute(self, statement: str) -> None:
-        """Run one statement, and say why the database cannot be written if it cannot."""
+        """Run one statement; raise the reason if the database cannot be written."""
         try:
             self.connection.execute(parsed(statement))
         except duckdb.Error as error:
@@ -115,7 +115,7 @@ class DuckDriver(Driver):
         self.checkpoint(LARGE_LOG)
 
     def rollback(self) -> None:
-        """Undo it; after some errors DuckDB has done so already, and says that there is none."""
+        """Roll back; after some errors DuckDB has already done so, and raises an error."""
         self.connection.execute("ROLLBACK")
 
     def in_transaction(self) -> bool:
@@ -145,7 +145,7 @@ class DuckDriver(Driver):
         self.connection.execute(parsed(self.engine.text(temporary(table, query))))
 
     def ingest(self, table: exp.Table, rows: pa.Table) -> None:
-        """Let an Arrow table be read where it lies, or refuse types that DuckDB has not."""
+        """Make an Arrow table readable without a copy, or refuse types that DuckDB lacks."""
         try:
             self.connection.register(table.name, rows)
         except duckdb.Error as error:
@@ -298,7 +298,7 @@ class DuckDriver(Driver):
 
 @lru_cache(1000)
 def parsed(text: str) -> Any:
-    """Return a statement as DuckDB parses it where nothing is set: a user's settings do not matter.
+    """Return a statement as DuckDB parses it by default, without the user's settings.
 
     Parsing is a fifth of what a statement costs that works on few rows, and a run executes the same ones
     for each group of channels; a statement takes about 20 times the memory of its text.
@@ -316,7 +316,7 @@ def _parser() -> duckdb.DuckDBPyConnection:
 
 
 def _place(message: str) -> str:
-    """Return which file DuckDB speaks of, as far as it says so."""
+    """Return the file that an error of DuckDB names, if it names one."""
     match = _FILE.search(message)
     return match[1] if match else "the DuckDB file, or of its temporary files,"
 

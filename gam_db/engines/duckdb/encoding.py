@@ -1,4 +1,4 @@
-"""CSV files in another encoding than UTF-8: read through a copy in UTF-8, or said to be that."""
+"""CSV files in another encoding than UTF-8: read through a copy in UTF-8, or refused by name."""
 
 import codecs
 import os
@@ -77,7 +77,7 @@ def _copy(path: str, encoding: str, target: Path) -> None:
 
 
 def not_utf8(path: str) -> SourceError:
-    """Return what is said of a file that is not in UTF-8."""
+    """Return the error on a file that is not in UTF-8."""
     error: SourceError = wrong("not_utf8", path=path, likely=_likely(path))  # type: ignore[assignment]
     return error
 

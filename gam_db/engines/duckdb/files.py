@@ -1,6 +1,6 @@
-"""Files at work with DuckDB: which of a folder are read, and what is said of one that cannot be.
+"""Files for DuckDB: which files of a folder are read, and the errors on unreadable ones.
 
-This module also owns what files of results say of themselves: whose they are, and where from.
+This module also owns the metadata of files of results: what they are, and their source.
 """
 
 import contextlib
@@ -90,7 +90,7 @@ def _inside(connection: duckdb.DuckDBPyConnection, path: str) -> list[str]:
 
 
 def matching(connection: duckdb.DuckDBPyConnection, paths: Iterable[str]) -> list[str]:
-    """Return the files of patterns; those of patterns far away are not asked for."""
+    """Return the files of patterns; remote patterns are not expanded."""
     files: list[str] = []
     for path in paths:
         is_pattern = bool(set(path) & {*"*?["}) and "://" not in path
@@ -103,7 +103,7 @@ def _matching(connection: duckdb.DuckDBPyConnection, pattern: str) -> list[str]:
 
 
 def metadata(sources: Sequence[str]) -> exp.Expr:
-    """Return what a file of results says of itself: whose results, and where from."""
+    """Return the metadata of a file of results: what they are, and their source."""
     paths = (source if "://" in source else os.path.abspath(source) for source in dict.fromkeys(sources))
     marks = {MARK: __version__, SOURCE_MARK: ";".join(paths)}
     pairs = [
@@ -121,7 +121,7 @@ def no_table(path: str, reason: str) -> UserError:
 
 
 def unalike(error: duckdb.Error) -> UserError | None:
-    """Return what is said of files of one source that do not have the same columns, if it is that."""
+    """Return the error on files of one source with different columns; None for another error."""
     match = next(
         filter(None, (re.search(pattern, str(error)) for pattern in _MESSAGES["unalike"])), None
     )
@@ -132,7 +132,7 @@ def unalike(error: duckdb.Error) -> UserError | None:
 
 
 def wrong_line(message: str) -> UserError:
-    """Return what is said of a line of a CSV file that cannot be read at all."""
+    """Return the error on an unreadable line of a CSV file."""
     line, file = re.search(_MESSAGES["line"], message), re.search(_MESSAGES["file"], message)
     if file is not None and re.search(_MESSAGES["encoding"], message):
         return not_utf8(file[1])
@@ -143,7 +143,7 @@ def wrong_line(message: str) -> UserError:
 def late_word(
     connection: duckdb.DuckDBPyConnection, error: duckdb.Error, readers: Iterable[exp.Expr]
 ) -> UserError | None:
-    """Return what is said of a word far down a CSV file that its column cannot hold, if there is one.
+    """Return the error on a word far down a CSV file that its column cannot hold, if there is one.
 
     Of the nodes that read CSV files, that of the file at fault tells how it is written.
     """

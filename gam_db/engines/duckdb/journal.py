@@ -1,4 +1,4 @@
-"""What a checkpoint of DuckDB writes over, kept beside the file until the checkpoint is whole.
+"""A journal of the blocks that a checkpoint of DuckDB overwrites, until the checkpoint is complete.
 
 A checkpoint writes new blocks, and in the end a header that names them. But its lists of contents lie 64
 to a block, and new ones fill the gaps between those that the header before names: these blocks are
@@ -37,7 +37,7 @@ _STILL_OPEN: list[io.FileIO] = []
 
 
 class Journal:
-    """Checkpoints of a database file, none of which can be left half done.
+    """Checkpoints of a database file that a killed process cannot leave half done.
 
     The connection has the file open, by default as its current database.
     """
@@ -110,7 +110,7 @@ class Journal:
 
 
 def journal_of(path: Path) -> Path:
-    """Return where the journal of a database file lies."""
+    """Return the path of the journal of a database file."""
     return path.with_name(f"{path.name}.journal")
 
 

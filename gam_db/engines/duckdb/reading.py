@@ -80,7 +80,7 @@ def all_as_text(reader: exp.Expr) -> exp.Expr:
 
 
 def retyped(relation: exp.Expr, types: Mapping[str, str]) -> exp.Expr:
-    """Return the reader of a text file with the types of some columns said."""
+    """Return the reader of a text file with the types of some columns set."""
     if not is_csv_reader(relation):
         return relation
     reader, struct = relation.copy(), exp.Struct(expressions=[])
@@ -138,7 +138,7 @@ def is_text_file(path: str) -> bool:
 
 
 def csv_options(form: Form) -> list[exp.Expr]:
-    """Return what the reader of CSV files is told; a word that means a missing value is so anywhere."""
+    """Return the options of the reader of CSV files; a word for missing values is one in any column."""
     has_hour = {"%H", "%I", "%c", "%X"} & {*re.findall("%-?[A-Za-z]", form.time_format or "%H")}
     settings = {
         "delim": form.delimiter,

@@ -127,7 +127,7 @@ class DuckSession(Session):
                 self._run(exp.Detach(this=catalog.copy()))
 
     def following(self, relation: exp.Expr) -> exp.Expr:
-        """Return a node that reads files with the patterns that were given: new ones, too."""
+        """Return a node that reads the files of the original patterns, also new ones."""
         return relation.transform(self.driver.by_pattern)
 
     def progress(self) -> float:
@@ -185,7 +185,7 @@ class DuckSession(Session):
             raise
 
     def _run(self, tree: exp.Expr) -> None:
-        """Run what writes a file; whoever asks says why one cannot be written."""
+        """Run a statement that writes a file; the caller reports why it cannot be written."""
         text = self.engine.text(tree)
         try:
             self._answer(lambda: self.connection.execute(parsed(text)), text)
@@ -218,7 +218,7 @@ def _named_in_views(views: Sequence[str]) -> set[str]:
 
 @contextlib.contextmanager
 def _written(path: Path) -> Iterator[None]:
-    """Say in the user's words why a file of results cannot be written."""
+    """Raise an error in the user's terms if a file of results cannot be written."""
     try:
         yield
     except (OSError, duckdb.IOException, duckdb.FatalException, duckdb.TransactionException) as error:

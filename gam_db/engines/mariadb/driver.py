@@ -106,7 +106,7 @@ class MariaDriver(DbapiDriver):
         self._lent.add(table.name)
 
     def drop(self, table: exp.Table) -> None:
-        """Drop a temporary table; without that word the server would commit what is open."""
+        """Drop a temporary table; without TEMPORARY the server would commit the open transaction."""
         dropped = exp.Drop(tables=[table.copy()], kind="TABLE", temporary=True, exists=True)
         self.execute(self.engine.text(dropped))
         self._lent.discard(table.name)

@@ -247,7 +247,7 @@ class PostgresDriver(DbapiDriver):
         super().close()
 
     def _check(self) -> None:
-        """Refuse what is no open connection of a PostgreSQL that can be used."""
+        """Refuse a connection that is closed, busy, or of an unsupported PostgreSQL."""
         if not isinstance(self._connection, self._psycopg.Connection):
             raise wrong("postgres_connection", kind=type(self._connection).__name__)
         if self._connection.closed:
@@ -303,7 +303,7 @@ class PostgresDriver(DbapiDriver):
             self._pin_again(self._path, locally=False)
 
     def _pin(self, locally: bool) -> None:
-        """Look names up in PostgreSQL itself only; remember where they were looked up before."""
+        """Set the search_path to PostgreSQL's own schema; remember the former one."""
         self._path, self._home = self._searching(PATH, locally)
 
     def _pin_again(self, path: str, locally: bool) -> None:
@@ -332,7 +332,7 @@ class PostgresDriver(DbapiDriver):
         return self._connection.cursor(binary=binary, row_factory=self._psycopg.rows.tuple_row)
 
     def _run(self, query: Any, values: Sequence[Any] = ()) -> list[tuple[Any, ...]]:
-        """Return the rows of a query of our own, a text or one that psycopg composed."""
+        """Return the rows of a query of gam-db, a text or one that psycopg composed."""
         with self._safely():
             return self._run_pinned(query, values or None)
 
@@ -342,7 +342,7 @@ class PostgresDriver(DbapiDriver):
             return list(cursor.execute(query, values, prepare=False).fetchall())
 
     def _count(self, table: exp.Table) -> None:
-        """Let the planner know what is in a table that was made."""
+        """Collect statistics of a new table for the planner."""
         self.execute(self.engine.text(exp.Analyze(tables=[table.copy()])))
 
 

@@ -1,4 +1,4 @@
-"""What PostgreSQL refuses, in the user's words: by SQLSTATE, else by what libpq says in English."""
+"""Errors of PostgreSQL in the user's terms: by SQLSTATE, else by the English text of libpq."""
 
 import re
 from typing import Any

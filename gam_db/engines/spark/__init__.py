@@ -25,7 +25,7 @@ def create_table(table: exp.Table, query: exp.Query) -> exp.Create:
 
 
 def _stored(form: str) -> Storage:
-    """Return how tables of a form are kept: large ones in groups of channels, which are no column."""
+    """Return the storage of tables of a form: large ones in groups of channels, which are no column."""
 
     def properties(definition: Definition) -> list[exp.Expr]:
         key, groups = definition.key, exp.Literal.number(GROUPS)

@@ -28,7 +28,7 @@ AT_WORK = data.table("gam_db.engines.spark", "spark.toml")
 
 
 def address_of(url: str) -> tuple[str | None, Path]:
-    """Return master (None: what the environment says) and folder of ``spark://HOST:PORT/FOLDER``.
+    """Return master (None: that of the environment) and folder of ``spark://HOST:PORT/FOLDER``.
 
     Raises:
         EngineError: it names no folder.
@@ -60,7 +60,7 @@ def started(master: str | None) -> Any:
 
 
 def beside(session: Any) -> Any:
-    """Return a session with the views, settings and current schema of the user's, and our own settings.
+    """Return a session with the user's views, settings and current schema, plus gam-db's settings.
 
     Raises:
         EngineError: it is stopped, or too old.
@@ -72,7 +72,7 @@ def beside(session: Any) -> Any:
 
 @cache
 def scratch() -> Path:
-    """Return a folder of this process that goes with it."""
+    """Return a folder that is removed when this process ends."""
     folder = Path(tempfile.mkdtemp(prefix="gam-spark-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder
@@ -80,7 +80,7 @@ def scratch() -> Path:
 
 @contextlib.contextmanager
 def quiet() -> Iterator[None]:
-    """Keep what PySpark says to developers, and what it logs of errors, from users."""
+    """Hide PySpark's messages for developers, and its logs of errors, from users."""
     log = logging.getLogger("SQLQueryContextLogger")
     before = log.disabled
     log.disabled = True
@@ -94,7 +94,7 @@ def quiet() -> Iterator[None]:
 
 @contextlib.contextmanager
 def as_before(session: Any) -> Iterator[None]:
-    """Let the active session be what it was: making a table of rows would let it be ours."""
+    """Restore the active session, which making a table of rows would change."""
     before = type(session).getActiveSession()
     try:
         yield
@@ -114,7 +114,7 @@ def _set(session: Any, base: Any) -> Any:
 
 
 def _started(master: str | None) -> Any:
-    """Start Spark; what Java says on the way goes to a file.
+    """Start Spark; the output of Java goes to a file.
 
     What it says later, too: the process of Java keeps the streams that it was started with.
     """

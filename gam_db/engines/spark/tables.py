@@ -49,7 +49,7 @@ class Rewriting:
         """Let the session know, as they are now, the tables that a statement may name."""
 
     def close(self) -> None:
-        """Let the session forget what is not the user's."""
+        """Remove from the session what does not belong to the user."""
 
     def _do(self, tree: exp.Expr) -> Any:
         return self._run(self._engine.text(tree))

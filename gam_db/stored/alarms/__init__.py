@@ -1,1 +1,1 @@
-"""Judgements of a monitor, the limits they are judged by, episodes, and what people are told of them."""
+"""Judgements of a monitor, their limits, episodes, and alarms for people."""

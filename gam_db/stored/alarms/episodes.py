@@ -1,7 +1,7 @@
-"""Episodes of a monitor: numbers that are given once, and a row for each change (alarms, section 4).
+"""Episodes of a monitor: numbers that never change, and a row for each change (alarms, section 4).
 
-This module owns which recomputed episode has which number, and what became of the others. It follows
-the stored judgements: where nothing changed, nothing is written.
+This module assigns the numbers to recomputed episodes, and withdraws or merges the others. It follows
+the stored judgements: without changes it writes nothing.
 """
 
 from collections.abc import Mapping, Sequence
@@ -54,7 +54,7 @@ class Log:
         self.rows.append({**row, **self._shared, **changes, "seq": self._seq, "what": what})
 
     def opened(self, row: Row) -> None:
-        """Note an episode under a number that nobody had."""
+        """Log an episode under a new number."""
         self._last += 1
         self.add("opened", row, episode_id=self._last, status="open")
         if row["status"] == "ended":
@@ -82,7 +82,7 @@ def follow(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping[
 def with_pending(
     state: State, group: Sequence[Row], judged: Mapping[int, int], newest_run: int
 ) -> dict[int, int]:
-    """Return what is to be followed, together with the judgements that a script has appended since.
+    """Return the judgements to follow, with those that a script has appended since.
 
     No version's newest run is older than ``newest_run``.
     """
@@ -123,7 +123,7 @@ def changes(state: State, monitor_id: int, group: Sequence[Row], judged: Mapping
 def _judged_episodes(
     state: State, group: Sequence[Row], live: Mapping[int, list[Row]], judged: Mapping[int, int]
 ) -> tuple[dict[int, list[Row]], dict[int, Row]]:
-    """Return the episodes of the judgements that are looked at, and which these are, by channel."""
+    """Return the episodes of the judgements that are examined, and the judgements, by channel."""
     followed = [
         {**row, "since_judgement": _since(row, live, judged[row["version_id"]])}
         for row in group
@@ -156,7 +156,7 @@ def _judged_episodes(
 
 
 def _since(row: Row, live: Mapping[int, list[Row]], first: int) -> int:
-    """Return from which judgement on a channel is looked at, the first new one being known."""
+    """Return the first judgement of a channel to examine, for its first new judgement."""
     since = max(first - _NEAR, 0)
     episodes = [
         episode
@@ -175,7 +175,7 @@ def _from(rows: Sequence[Row], judgement: str) -> exp.Expr:
 
 
 def _match(log: Log, episodes: list[Row], live: list[Row], judged: Mapping[str, Any]) -> None:
-    """Give the episodes of a channel their numbers, and say what became of those it had (live)."""
+    """Assign numbers to the episodes of a channel, and log what became of its former ones (live)."""
     version, first = judged["version_id"], judged.get("first_judgement") or 0
     begin, newest = judged.get("first_scored"), judged.get("last_time")
     free = [

@@ -1,7 +1,7 @@
 """Explaining episodes: where the signal was in their first judgements (alarms, section 5).
 
-This module owns what of the source is read again for that. Nothing else hangs on it: what a run did not
-come to is done by the next one.
+This module owns which rows of the source are read again for that. No other result depends on it: the
+next run does what a run did not reach.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -50,7 +50,7 @@ def explain(state: State, reader: Reader, monitor_id: int, plan: Iterable[Row], 
 
 
 def _readable(state: State, wanted: Sequence[Row]) -> list[Row]:
-    """Return those of the judgements whose bucket before is kept, with where to begin to read."""
+    """Return the judgements whose previous bucket is stored, with the start of the rows to read."""
     if not wanted:
         return []
     columns = {"version_id": "version_id", "bucket_no": "bucket_before"}
@@ -107,7 +107,7 @@ def _count(state: State, reader: Reader, group: Sequence[Row]) -> None:
 
 
 def _of_run(row: Row, runs: Sequence[tuple[int, int]]) -> Row:
-    """Return what was counted of a window as that of its judgement, of the run that wrote it."""
+    """Return the counts of a window as those of its judgement, for the run that wrote it."""
     number, run = runs[row["window_no"]]
     counted = {name: value for name, value in row.items() if name != "window_no"}
     return {**counted, "judgement_no": number, "run_id": run}

@@ -1,7 +1,7 @@
-"""Alarms for people: which episodes there are, what was said of them, and what follows from that.
+"""Alarms for people: the episodes, their labels, and the effects of labels.
 
-Which episode needs attention is said by the view ``gam_state_labelled_episode``; this module owns what a
-label may be.
+The view ``gam_state_labelled_episode`` decides which episode needs attention; this module owns the kinds
+of labels.
 """
 
 import datetime as dt
@@ -81,7 +81,7 @@ def judgements(state: State, episode: Row) -> list[Row]:
 
 
 def bands(state: State, name: str, episode: Row) -> list[Row]:
-    """Return in which parts of its range an episode (a row of :func:`alarms`) stands out.
+    """Return the parts of the range in which an episode (a row of :func:`alarms`) stands out.
 
     Returns:
         The three most striking, in order, none without excess: place (below, within or above the range

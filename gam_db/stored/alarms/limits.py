@@ -1,6 +1,6 @@
-"""Limits of a monitor: by what judgements of its channels are judged, frozen (alarms, section 3).
+"""Limits of a monitor: the frozen limits of the judgements of its channels (alarms, section 3).
 
-This module owns when limits are made, and of what. How one is chosen is said by :mod:`gam_db.alarms`.
+This module owns when limits are computed, and from what. :mod:`gam_db.alarms` chooses them.
 """
 
 from collections.abc import Callable, Sequence

@@ -1,12 +1,12 @@
-"""Checking the state: is what is stored what one run over the source gives, and does it hold together?
+"""Checks of the state: does it equal one run over the source, and is it consistent?
 
-This module owns the comparison. It writes nothing. Looked at are the checksums of what calibration
-froze; what must hold between the tables, whatever the source; and the source itself, over which all that
-calibration taught, every bucket and every novel cell is made again beside the state
+This module owns the comparison. It writes nothing. It checks the checksums of frozen calibrations; what
+must hold between the tables, for any source; and the source itself, over which it makes every
+calibration, every bucket and every novel cell again beside the state
 (:mod:`gam_db.stored.checking.again`), from the intervals and settings that are stored.
 
-What cannot be made again is held to the rest: limits, labels, episodes, records of runs, retired
-versions, and everything whose rows have gone from the source.
+What cannot be made again is checked against the other tables: limits, labels, episodes, records of
+runs, retired versions, and everything whose rows have gone from the source.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -43,13 +43,13 @@ PARTS = (
 #: Why a part is not compared with the source: its rows have gone, or the next run makes it anew.
 GONE, NEXT_RUN = "gone from the source", "left to the next run"
 
-#: What is said of what does not hold.
+#: The texts of inconsistencies.
 _WORDS = data.table("gam_db.stored.checking", "checks.toml")
 
 
 @dataclass(frozen=True)
 class Checked:
-    """What a check found.
+    """The result of a check.
 
     Attributes:
         differences: one row each; see :func:`check_state`.
@@ -73,7 +73,7 @@ def check_state(
     limit: int | None = None,
     on_step: Listener = unheard,
 ) -> Checked:
-    """Compare all that is computed in the tables of a monitor with its source, and with one another.
+    """Compare all computed tables of a monitor with its source, and with one another.
 
     The whole source is read, a group of channels at a time (at most ``limit`` readings; None for what
     memory allows). Where rows came since the last run, no later than ``lookback`` allows, the buckets
@@ -138,7 +138,7 @@ class _Check:
     def leave(
         self, version_id: int, part: str, why: str, since: int | None = None, until: int | None = None
     ) -> None:
-        """Note what is not compared with the source."""
+        """Log the parts that are not compared with the source."""
         edges = {"why": why, "since": since, "until": until}
         self.uncompared.append({**self._named(version_id), "part": part, **edges})
 
@@ -289,7 +289,7 @@ class _Check:
     def taught(self, versions: Iterable[Row]) -> list[Row]:
         """Return the versions whose calibration can be learnt again, of supports that are in use.
 
-        With them come those that taught their pool nothing: what is said of these is compared as well.
+        The list includes those that taught their pool nothing: their rows are compared as well.
         """
         rows = [row for row in versions if row["lo"] is not None]
         used = {row["support_id"] for row in rows if row["is_active"]}
@@ -310,7 +310,7 @@ class _Check:
         return learnable
 
     def calibration(self, group: Sequence[Row]) -> None:
-        """Compare what the frozen intervals of pools of one setting teach now with what they taught."""
+        """Compare a new calibration of the frozen intervals of pools of one setting."""
         parts, counted = self.again.learnt(group)
         words: dict[int, dict[str, int]] = {}
         for part, rows in parts.items():

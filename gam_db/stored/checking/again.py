@@ -1,4 +1,4 @@
-"""Making again: what calibration and scoring would write now, beside the state, and where that differs.
+"""Making again: the rows that calibration and scoring would write now, and how the stored rows differ.
 
 The steps, and the rows that they end with, are those of a calibration and of a run. Here they become
 temporary tables of the session, so neither the state nor the source is written. What is stored is
@@ -107,7 +107,7 @@ class Again:
         self.state, self.session, self.reader, self.on_step = state, state.session, reader, on_step
 
     def learnt(self, group: Sequence[Row]) -> tuple[dict[str, list[Row]], dict[int, Row]]:
-        """Compare what the stored intervals of pools of one setting teach with what they taught.
+        """Compare a new calibration of the stored intervals of pools of one setting with the stored one.
 
         Returns:
             By table the rows of :func:`compared`; and by version calibration_readings, how many rows its
@@ -239,7 +239,7 @@ class Again:
         )
 
     def _cut(self, running: Running, cohort: pa.Table) -> None:
-        """Let the readings of each channel end where a cohort says."""
+        """Limit the readings of each channel to the end that a cohort sets."""
         running.load("cohort", cohort)
         running.put("identified", _cut(running))
 
@@ -281,14 +281,14 @@ def _cut(running: Running) -> exp.Query:
 
 
 def _last_buckets(running: Running) -> exp.Query:
-    """Return the last bucket that was made of each channel."""
+    """Return the last new bucket of each channel."""
     last = exp.Max(this=exp.column("bucket_no")).as_("last_bucket")
     rows = exp.select(exp.column("channel_id"), last).from_(running.tables["new_buckets"].copy())
     return rows.group_by(exp.column("channel_id"))
 
 
 def _stored_buckets(column: str) -> exp.Expr:
-    """Return the condition on *bucket* that holds for what is stored and is to be compared."""
+    """Return the condition on *bucket* for the stored rows to compare."""
     number = exp.column("bucket_no", table="bucket")
     first, end = (exp.column(name, table="member") for name in (column, "settled"))
     return exp.and_(number >= first, number.copy() < end)

@@ -1,7 +1,7 @@
 """Consistency of alarms: limits with calibration, judgements with buckets, episodes with judgements.
 
-This module owns what must hold between the tables of alarms, whatever the source. It writes nothing.
-What calibration counted for them is compared with the source by :mod:`gam_db.stored.checking`.
+This module owns what must hold between the tables of alarms, for any source. It writes nothing.
+:mod:`gam_db.stored.checking` compares the counts of calibration with the source.
 """
 
 import math
@@ -160,7 +160,7 @@ def _same(row: Row, wanted: Row) -> bool:
 
 
 def _judgements(state: State, buckets: int, group: Sequence[Row]) -> Iterator[Inconsistency]:
-    """Judge the versions of one number of buckets anew by what is stored, each as its own channel."""
+    """Judge the versions with one number of buckets anew from stored rows, each as its own channel."""
     until = []
     for row in group:
         oldest = row["oldest_judgement"] or 0

@@ -1,7 +1,7 @@
-"""Proving: is what calibration froze still what it was, and when was the state last checked?
+"""Checksums: are frozen calibrations unchanged, and when was the state last checked?
 
-A run verifies the checksum of what it reads whole before it scores by it, and that of all active
-versions once a day. It finds damage and slips; who can write the tables can write their sums, too.
+A run verifies the checksums of the versions that it reads whole before it scores with them, and those of
+all active versions once a day. This finds damage and slips; who can write the tables can write the sums.
 
 This module owns that, and the record of what was checked.
 """

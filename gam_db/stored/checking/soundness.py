@@ -10,7 +10,7 @@ from gam_db.method.alarms import root_of
 
 @cache
 def soundness_steps(monitor_id: int, is_whole: bool) -> Pipeline:
-    """Return the steps that tell what does not hold between the state tables, without the source.
+    """Return the steps that find inconsistencies between the state tables, without the source.
 
     The last are *checked*, *oldest_buckets*, *orphans*, and what is *inconsistent* of versions, buckets,
     novel cells, judgements and runs.

@@ -1,6 +1,6 @@
-"""Planning a run: which channels are read, from where on, and which of them together.
+"""Planning a run: which channels it reads, from which instant on, and which of them together.
 
-This module owns what is read at all. Channels are read in three cohorts at most
+This module owns the range of rows to read. Channels are read in three cohorts at most
 (``sql/stored/scoring/cohorts.sql``), each with its lower bound as a literal in its query; so one silent
 channel does not make every run a scan of everything. A channel that would have to be read from further
 back than ``park_after`` is parked: a run asks only for values later than those that it has read, and
@@ -42,7 +42,7 @@ class Cohort:
 
     @property
     def assets(self) -> list[str] | None:
-        """The assets to be asked for by name; None where they are too many, or all are wanted."""
+        """The assets to select by name; None if they are too many, or all are wanted."""
         return None if self.everyone else assets_of(self.channels)
 
 
@@ -67,7 +67,7 @@ def cohorts(rows: Sequence[Row]) -> list[Cohort]:
 
 
 def is_due(last: int, now: int) -> bool:
-    """Tell whether what is done once a day is due; a time after now is of a clock that stood ahead."""
+    """Tell whether a daily task is due; a time after now comes from a clock that was ahead."""
     return not 0 <= now - last < DAY
 
 
@@ -121,7 +121,7 @@ def whole_pools(
 
 
 def rows_of(channels: Iterable[Row], readings: Mapping[tuple[str, str], int]) -> int:
-    """Return how many readings of some channels were found."""
+    """Return the number of readings of some channels."""
     return sum(readings.get(name_of(row), 0) for row in channels)
 
 
@@ -136,7 +136,7 @@ def by(column: str, rows: Iterable[Row]) -> dict[Any, list[Row]]:
 def _below(
     limit: int, units: Iterable[Sequence[Row]], readings: Mapping[tuple[str, str], int]
 ) -> Iterator[list[Row]]:
-    """Put units together, none of which is cut, as long as their readings stay below the limit."""
+    """Group whole units as long as their readings stay below the limit."""
     group: list[Row] = []
     total = 0
     for unit in units:

@@ -1,8 +1,8 @@
-"""Rows that leave the source: where it lost all before its oldest row, what is stored of them stays.
+"""Rows that leave the source: if it lost all rows before its oldest one, their scores stay stored.
 
-This module owns which rows of a channel have gone so, and from where on it is scored then: its first
-bucket whose context the source still holds whole, with the number that this one has. A hole between
-rows that are there is no such loss, but a correction.
+This module decides which rows of a channel have gone, and where scoring then begins: at the first bucket
+whose context the source still holds whole, which keeps its number. A hole between existing rows is not
+such a loss, but a correction.
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,7 +17,7 @@ from gam_db.study.running import Running
 
 
 def whole_plan_rows(state: State, monitor_id: int, oldest: Mapping[int, int]) -> dict[int, Row]:
-    """Return the rows of a plan by version, given the oldest time that the source holds of each.
+    """Return the rows of a plan by version, for the oldest time that the source holds of each.
 
     Where the context is not whole even after the newest bucket, no number of rows is expected. Versions
     are missing that have no bucket, or of which nothing has gone that their first one needs.

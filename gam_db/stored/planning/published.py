@@ -1,6 +1,6 @@
-"""What a run appends, and what is stored of it already: buckets, novel cells, programs, and its record.
+"""The rows that a run appends, and those already stored: buckets, novel cells, programs, its record.
 
-This module owns which steps these are, and in which order they are appended; it runs nothing.
+This module owns the steps of these rows and the order in which a run appends them; it runs nothing.
 """
 
 from sqlglot import exp
@@ -51,7 +51,7 @@ def published(has_programs: bool) -> tuple[str, ...]:
 
 
 def former(has_programs: bool) -> dict[str, str]:
-    """Return the steps of what is stored of what a run makes anew, by the table."""
+    """Return the steps of the stored rows that a run makes anew, by table."""
     steps = {"bucket": "former_buckets", "novel": "former_novel"}
     return steps | ({"unknown_program": "former_programs"} if has_programs else {})
 

@@ -107,7 +107,7 @@ class Reader:
         ]
 
     def is_empty(self) -> bool:
-        """Tell whether the source holds nothing at all; that nothing is new is another matter."""
+        """Tell whether the source has no rows at all, new or old."""
         condition = parsed_condition(self._source.where)
         probe = exp.select(exp.Literal.number(1)).from_(self._relation.copy()).where(condition).limit(1)
         return not self._session.rows(probe)
@@ -147,7 +147,7 @@ def plan_rows(running: Running, monitor_id: int, lookback: int) -> list[Row]:
 
 
 def recent_run() -> int:
-    """Return the first run of late: what came before is looked at only where that is not enough."""
+    """Return the id of the first recent run; a plan reads older runs only if these are not enough."""
     return first_run_at(now() - RECENT)
 
 
@@ -167,7 +167,7 @@ def _planned(running: Running, steps: Pipeline) -> list[Row]:
 
 
 def last_times(state: State, monitor_id: int) -> dict[int, int]:
-    """Return the end of what is stored of each version that has a bucket."""
+    """Return the end of the stored buckets of each version that has one."""
     steps = searched_plan_steps(monitor_id, None, None)
     rows = state.session.rows(steps.query("newest", state.tables.nodes()))
     return {row["version_id"]: row["newest_time"] for row in rows}

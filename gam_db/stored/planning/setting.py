@@ -1,4 +1,4 @@
-"""Settings of versions, and what of them stands in the text of a run: what channels share."""
+"""Settings of versions, and those that channels share, which are in the text of a run."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -53,7 +53,7 @@ def setting_of(version: Mapping[str, Any]) -> Setting:
 
 
 def shape_of(version: Mapping[str, Any], by_column: bool = False) -> Setting:
-    """Return what stands in the text of a run: the setting without what is read as a column.
+    """Return the settings in the text of a run: without those that are read as columns.
 
     Where an engine takes delays ``by_column``, it reads tau, window and stride so, too.
     """

@@ -1,4 +1,4 @@
-"""The steps of a run: from the rows of a cohort to what is appended to the state tables.
+"""The steps of a run: from the rows of a cohort to the rows that it appends to the state tables.
 
 This module owns which files of ``sql/`` a run uses, and in which order; it runs nothing. Everything
 that differs from run to run comes in tables (*cohort*, *stamp*), so the steps of a setting are made
@@ -276,7 +276,7 @@ def can_trust(setting: Setting, kind: TimeKind) -> bool:
 
 
 def _frozen(columns: Sequence[str] = ()) -> Pipeline:
-    """Return the steps that give what is frozen of the channels of a cohort."""
+    """Return the steps of the frozen values of the channels of a cohort."""
     steps = Pipeline(small=SMALL_STEPS)
     for name in ("channels", "bounds", "calibration", "support"):
         add(steps, f"stored/scoring/{name}", _read_as(columns) if name == "bounds" else None)

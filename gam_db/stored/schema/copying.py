@@ -1,7 +1,7 @@
-"""Copying: the state alone in another DuckDB file, for those who read while scoring goes on.
+"""Copying the state alone to another DuckDB file, for readers while scoring writes.
 
-While one process writes a DuckDB file, no other can open it. A copy is as it was at one instant, and
-holds nothing but the state: no telemetry, and no room left by rows that are gone.
+While one process writes a DuckDB file, no other can open it. A copy shows one instant, and holds only
+the state: no telemetry, and no free space of deleted rows.
 """
 
 import contextlib

@@ -35,7 +35,7 @@ class Removal:
 
 
 def removals(session: Session, tables: StateTables, monitor: str | None = None) -> tuple[Removal, ...]:
-    """Return what would be removed, in the order in which it can be; nothing is written.
+    """Return the tables and views to remove, in a possible order; write nothing.
 
     That is the rows of a monitor, or without one all tables and views.
 
@@ -68,7 +68,7 @@ def removals(session: Session, tables: StateTables, monitor: str | None = None) 
 
 
 def remove(session: Session, pending: Sequence[Removal]) -> None:
-    """Remove what :func:`removals` found, all of it or nothing where the engine has transactions.
+    """Remove what :func:`removals` returns: all or nothing, if the engine has transactions.
 
     Raises:
         EngineError: the database cannot be written.

@@ -1,6 +1,6 @@
-"""The files of ``migrations/``: read, checked, placed where the state lies, rendered for an engine.
+"""The files of ``migrations/``: read, check and render them for an engine and a schema.
 
-A file makes tables or views, each with its comments; it is safe to run twice, and calls them
+A file makes tables or views, each with its comments; it is safe to run twice, and names them
 ``stored_run`` and so on. Its checksum is that of its bytes. The database gets the comments of columns
 only where readers look; all of them are in ``docs/tables.md``.
 """
@@ -112,7 +112,7 @@ def record(migration: Migration, tables: StateTables, applied_at: int) -> exp.Ex
 
 @cache
 def definitions() -> dict[str, Definition]:
-    """Return what all migrations make together, by name: tables, then views after what they read."""
+    """Return the tables and views of all migrations by name: tables first, views after their inputs."""
     by_name = {name: about for migration in files() for name, about in migration.definitions.items()}
     return {name: by_name[name] for name in (*TABLES, *VIEWS)}
 
@@ -134,7 +134,7 @@ def files() -> tuple[Migration, ...]:
 
 
 def read(folder: Path) -> tuple[Migration, ...]:
-    """Read the migrations of a folder, in order; what they must be like is tested."""
+    """Read the migrations of a folder, in order; tests check their form."""
     migrations = []
     for path in sorted(folder.glob("*.sql")):
         number, _, name = path.stem.partition("_")

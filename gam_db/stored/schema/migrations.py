@@ -1,8 +1,8 @@
-"""Applying migrations: what was applied to a database, what is pending, and the record of it.
+"""Applying migrations: the applied ones of a database, the pending ones, and their record.
 
-Where an engine undoes definitions, all that is pending is one transaction with its record; else the
-record of each migration is written after it, and a run that is cut short applies it again. A state that
-a newer gam-db made is refused, and so is one that was made by other files than these.
+If an engine can undo definitions, all pending migrations and their record are one transaction; else the
+record of each migration is written after it, and an interrupted migration is applied again. A state of
+a newer gam-db is refused, and so is one that other files than these made.
 """
 
 import dataclasses
@@ -30,7 +30,7 @@ Relations: TypeAlias = Mapping[str, tuple[str, ...]]
 
 @dataclass(frozen=True)
 class Applied:
-    """A row of the record: what was applied, when (microseconds, UTC) and by which gam-db."""
+    """A row of the record: the migration, when it was applied (microseconds, UTC), by which gam-db."""
 
     number: int
     name: str
@@ -41,7 +41,7 @@ class Applied:
 
 @dataclass(frozen=True)
 class Status:
-    """What was applied to a database, and what is still to be applied; both in order."""
+    """The migrations applied to a database, and the pending ones; both in order."""
 
     applied: tuple[Applied, ...]
     pending: tuple[Migration, ...]
@@ -86,7 +86,7 @@ def former(
 
 
 def status(session: Session, tables: StateTables, there: Relations | None = None) -> Status:
-    """Return what was applied and what is pending; nothing is written.
+    """Return the applied and the pending migrations; write nothing.
 
     Raises:
         StateError: the state is of other files or a newer gam-db, was changed by hand, or its names are
@@ -110,7 +110,7 @@ def status(session: Session, tables: StateTables, there: Relations | None = None
 
 
 def migrate(session: Session, tables: StateTables, on_step: Listener = unheard) -> tuple[Migration, ...]:
-    """Apply what is pending and return it: all as one with its record where definitions can be undone.
+    """Apply the pending migrations and return them: in one transaction, if definitions can be undone.
 
     A schema is made if it is not there. The name of each table and view is told (``on_step``) before it
     is made.
@@ -198,7 +198,7 @@ def _schema(engine: Engine, tables: StateTables) -> list[exp.Expr]:
 
 
 def _is_file(row: Applied) -> bool:
-    """Tell whether what was applied is a file of this gam-db."""
+    """Tell whether an applied migration is a file of this gam-db."""
     checksums = {file.number: (file.name, file.checksum) for file in files()}
     return checksums.get(row.number) == (row.name, row.checksum)
 

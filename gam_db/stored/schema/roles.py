@@ -1,8 +1,8 @@
-"""Roles: what owner, writer and reader of the state may do, as the GRANTs that give it to them.
+"""Roles: the rights of owner, writer and reader of the state, as GRANT statements.
 
-The owner makes and changes the tables and views, and drops them. The writer calibrates, scores, checks
-and prunes. The reader asks for the status, and reads the views. This module owns which of the tables and
-views each of them needs, and what for.
+The owner creates, changes and drops the tables and views. The writer calibrates, scores, checks and
+prunes. The reader prints the status, and reads the views. This module owns which tables and views each
+role needs, and with which rights.
 """
 
 from collections.abc import Iterator
@@ -57,7 +57,7 @@ ALSO = (
 
 @dataclass(frozen=True)
 class Roles:
-    """Who is owner, writer and reader; None for nobody.
+    """The names of owner, writer and reader; None for no role.
 
     Raises:
         ConfigurationError: nobody is named, or one name is empty.
@@ -114,7 +114,7 @@ def before(engine: Engine, tables: StateTables, roles: Roles) -> Iterator[exp.Ex
 
 
 def after(tables: StateTables, roles: Roles) -> Iterator[exp.Expr]:
-    """Yield what gives writer and reader what they need."""
+    """Yield the statements that grant writer and reader their rights."""
     if roles.writer is not None:
         for name in (*TABLES, *_COUNTING):
             privileges: dict[str, str | None] = {"SELECT": None}

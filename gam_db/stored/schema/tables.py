@@ -66,7 +66,7 @@ _PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]{0,39})?")
 
 @dataclass(frozen=True)
 class StateTables:
-    """Where the state lies: several may lie in one database.
+    """The schema and prefix of the state; a database may have several states.
 
     Attributes:
         schema: the schema that holds them; None for the current one of the connection.

@@ -1,6 +1,6 @@
-"""Scoring what is new: the restart rule at work (state.md).
+"""Scoring new rows by the restart rule (state.md).
 
-This module owns what a run reads, and in which portions (:mod:`gam_db.stored.scoring.portion`).
+This module owns the rows that a run reads, and their portions (:mod:`gam_db.stored.scoring.portion`).
 """
 
 from dataclasses import replace
@@ -39,13 +39,13 @@ _OF_RUN = ("plan", "names", "planned_runs")
 
 
 class Run:
-    """A run that brings the stored buckets of a monitor up to date; ``report`` is what it did.
+    """A run that brings the stored buckets of a monitor up to date; ``report`` holds its result.
 
     Args:
         state: the state tables, in a session that can write.
         source: where the telemetry lies.
         name: of the monitor.
-        wanted: what is asked.
+        wanted: the request.
         on_step: called with what is done next.
 
     Raises:
@@ -66,7 +66,7 @@ class Run:
         self.report = Report(clock=self.reader.clock)
 
     def go(self, dry_run: bool = False) -> Report:
-        """Score all that is wanted; a ``dry_run`` looks at the source and writes nothing.
+        """Score the wanted channels; a ``dry_run`` reads the source and writes nothing.
 
         Raises:
             UserError: the source cannot be used; groups of channels that were scored before stay scored.
@@ -121,7 +121,7 @@ class Run:
         return self.report
 
     def _note_validity(self) -> None:
-        """Count the rows of what was read for which the condition on readings does not hold."""
+        """Count the rows read that do not meet the condition on readings."""
         if not self.reader.has_validity or not self.report.ranges:
             return
         steps = Pipeline()
@@ -176,7 +176,7 @@ class Run:
         return [row | read[row["version_id"]] for row in rows]
 
     def _check_begin(self, begin: int, newest: int | None) -> None:
-        """Refuse to score anew from an instant on where nothing is stored."""
+        """Refuse to score anew from an instant on without stored buckets."""
         kind, end = self.reader.kind, self.wanted.until
         refused = f"Scoring anew cannot begin at {shown_instant(begin, kind)}"
         if end is not None and begin > end:
@@ -228,7 +228,7 @@ class Run:
         return rows
 
     def _keeping(self, cohort: Cohort, names: list[Row]) -> Cohort:
-        """Let what is stored stay whose rows have gone from the source, all before its oldest."""
+        """Keep stored buckets whose rows have gone from the source, all before its oldest row."""
         other = self._staying(cohort, names)
         if not other:
             return cohort

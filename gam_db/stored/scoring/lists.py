@@ -77,7 +77,7 @@ def counting(shape: Shape) -> Plan:
 
 @cache
 def publishing(shape: Shape, transactions: bool) -> tuple[Plan, Plan]:
-    """Return the statements that append what was counted, and those that commit it.
+    """Return the statements that append the counts, and those that commit them.
 
     Judgements are appended between the two. The caller gives the queries *unplanned* and, where there
     are transactions, *hidden_bucket* and so on: what the run hides goes with its commit. Else it is

@@ -1,8 +1,8 @@
-"""Scoring channels of one shape: the lists of a run, executed over what the run has read of them.
+"""Scoring channels of one shape: the lists of a run, executed over the rows that it has read.
 
-Rows are appended first and one row per version in ``gam_state_run`` last: that is the commit. Where an
-engine has transactions, all of it is one, and rows that are now hidden go in the same. It counts only if
-nobody else wrote meanwhile (:mod:`gam_db.stored.scoring.publishing`).
+A run appends its rows first and one row per version to ``gam_state_run`` last: that is the commit. If an
+engine has transactions, all this is one, and deletes rows that are now hidden. The commit counts only if
+no other process wrote meanwhile (:mod:`gam_db.stored.scoring.publishing`).
 """
 
 from collections.abc import Mapping, Sequence
@@ -179,7 +179,7 @@ class Scoring:
         self.channels += [{name: row[name] for name in columns} for row in by_name]
 
     def _follow(self, group: Sequence[Row], judged: Mapping[int, int], run_id: int) -> None:
-        """Follow what is committed already; what a run was killed before is made up for once a day."""
+        """Follow committed runs; once a day, catch up on what a killed run did not do."""
         try:
             if self.is_thorough:
                 judged = dict.fromkeys(judged, 0)

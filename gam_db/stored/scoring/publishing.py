@@ -1,4 +1,4 @@
-"""One writer, enforced: a run counts only if what it was planned from is still there.
+"""One writer, enforced: a run counts only if the state that it was planned from is unchanged.
 
 A run remembers the newest finished run of each version when it is planned, and compares in its
 publication. Where an engine has transactions that is one, and one writer of a monitor at a time is
@@ -72,7 +72,7 @@ def look_again(running: Running, state: State, group: list[Row], run_id: int) ->
 
 
 def withdraw(state: State, run_id: int) -> None:
-    """Append what lets a run, of all versions that it has recorded so far, count no more."""
+    """Append the rows that withdraw a run, for all versions that it has recorded so far."""
     state.append("run", state.query("stored/state/withdrawal", {"run_id": run_id}))
 
 

@@ -1,4 +1,4 @@
-"""What is asked of a run, and what it says that it did."""
+"""The request of a run, and its report."""
 
 from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, field
@@ -13,7 +13,7 @@ from gam_db.stored.state import State
 
 @dataclass(frozen=True)
 class Wanted:
-    """What is asked of a run.
+    """The request of a run.
 
     Attributes:
         lookback: how far behind the newest bucket late rows are looked for, in the unit of time.
@@ -39,7 +39,7 @@ class Wanted:
 
     @property
     def is_anew(self) -> bool:
-        """Tell whether buckets are to be written anew even where nothing seems to have changed."""
+        """Whether to write buckets anew even if nothing seems to have changed."""
         return self.full or self.repair_from is not None
 
 
