@@ -11,7 +11,7 @@ from gam_db.cli.config import Settings
 from gam_db.cli.job import job_of
 from gam_db.cli.options import option
 from gam_db.cli.progress import working
-from gam_db.cli.render import WORDS, Verbatim, write
+from gam_db.cli.render import WORDS, Section, Verbatim, write
 from gam_db.cli.report import checked, page_of, written
 from gam_db.cli.summary import Summary
 from gam_db.engines.connecting import connect
@@ -55,7 +55,8 @@ def demo(keep: Path | None = option("demo.keep"), report: Path | None = option("
         job = job_of(session, _SIMULATED, series, "simulated machine")
         channels = findings(job.study(session, on_step))
     texts = WORDS["demo"]
-    sections = [texts["introduction"], "", *Summary(job, channels).sections(), ""]
+    write([texts["introduction"], "", *Summary(job, channels).sections()])
+    sections: list[Section] = [""]
     if keep is not None:
         parquet.write_table(series, keep)
         words = [f"--{name} {value}" for name, value in _SIMULATED.parameters.items()]

@@ -74,21 +74,23 @@ def test_what_check_prints() -> None:
     assert "columns: asset=asset channel=channel time=ts value=value; guessed: all" in lines
     heading = next(line for line in lines if "least" in line and "most" in line)
     row = next(line for line in lines if line.startswith("! j1 "))
-    assert lines.index(next(line for line in lines if "to be set" in line)) < lines.index(heading)
+    assert lines.index(next(line for line in lines if "suggested settings" in line)) < lines.index(
+        heading
+    )
     assert len(row) <= len(heading) <= 100
     assert " ".join(row.split()) == "! j1 4,000 1 s 1 0.025 % -1.001 1.001 3,999 - 20"
     said = flat(result)
     assert "! j1: too few samples for a window outside calibration (4,000 in all, 800 in" in said
     assert "- j1: 1 pause of 91 s (usual step 1 s)" in said
     assert "1 point marked ! must be fixed" in said
-    assert 'to be set: max_gap = "5 s"; window = 99 (an eighth of the calibration' in said
+    assert 'suggested settings: max_gap = "5 s"; window = 99 (an eighth of the calibration' in said
 
 
 def test_check_with_what_is_proposed_is_content() -> None:
     result = gam("check", saved(), "--window", "99", "--max-gap", "5 s")
     assert result.exit_code == 0, result.output
     assert "nothing must be fixed" in result.stdout
-    assert "to be set" not in result.stdout
+    assert "suggested settings" not in result.stdout
     assert "max_gap sees to it" in flat(result)
     assert gam("check", "plant.parquet", "--window", "99", "--quiet").stdout == ""
 
@@ -198,7 +200,7 @@ def test_init_never_overwrites_unless_told_to() -> None:
     Path("gam.toml").write_text("mine = ", encoding="utf-8")
     result = gam("init", saved())
     assert result.exit_code == 1
-    assert "gam.toml is there already; --force replaces it" in result.stderr
+    assert "gam.toml already exists; --force replaces it" in result.stderr
     assert Path("gam.toml").read_text(encoding="utf-8") == "mine = "
     assert gam("init", "plant.parquet", "--force", "--quiet").exit_code == 0
     assert config.load().source.relation == "plant.parquet"
@@ -214,7 +216,7 @@ def test_init_refuses_a_folder_that_is_not_there() -> None:
 def test_init_says_what_must_be_fixed() -> None:
     result = gam("init", saved(asset=["R1"] * 3990 + [None] * 10))
     assert result.exit_code == 2
-    assert "1 to be fixed first" in result.stdout
+    assert "fix 1 problem first" in result.stdout
     assert ("# MUST BE FIXED: rows without an asset, channel or time: 10 without asset") in Path(
         "gam.toml"
     ).read_text()
@@ -279,7 +281,7 @@ def test_what_stands_still_is_proposed_and_written() -> None:
     assert gam("init", "one.parquet").exit_code == 0
     parameters, _ = config.load().method()
     assert parameters.still_after == 25
-    assert "to be set" not in flat(gam("check"))
+    assert "suggested settings" not in flat(gam("check"))
     values[100:600] = 4.5
     parquet.write_table(
         pa.table({"channel": ["x"] * 4000, "t": np.arange(4000), "value": values}), "x.parquet"

@@ -37,7 +37,7 @@ def test_a_run_says_what_was_chosen() -> None:
     words = " ".join(said.stdout.split())
     assert "chosen for x (2): tau 2, the smallest that is as good as the best: score 1,000" in words
     assert "of 1,000, tau 1 911; window 75, a twentieth of calibration" in words
-    assert "bins taken: 128 for 1, 16 for 1" in words
+    assert "chosen bins: 128 for 1, 16 for 1" in words
     (chosen,) = json.loads(gam("run", "plant.csv", *OPEN, "--no-out", "--json").stdout)["chosen"]
     assert (chosen["tau"], chosen["window"], chosen["scores"]["1"]) == (2, 75, 911)
 
@@ -71,7 +71,7 @@ def test_init_writes_numbers_which_run_takes() -> None:
     }
     assert "score 1,000 of 1,000, tau 1 911" in text
     assert {written["parameters"]["bins"], *(one["bins"] for one in written["override"])} == {128, 16}
-    assert "bins taken" not in gam("run", "--no-out").stdout
+    assert "chosen bins" not in gam("run", "--no-out").stdout
 
 
 def test_the_paper_is_one_word_and_an_option_beside_it_wins() -> None:

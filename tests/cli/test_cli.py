@@ -109,7 +109,7 @@ def test_few_vectors_are_not_ready_unless_that_is_asked_for() -> None:
         assert f"verdicts: 1 {verdict}\n" in result.stdout
         advised = "calibration too short; it needs about 50 more vectors" in result.stdout
         assert advised == (not words)
-    assert "say a longer healthy part" in gam_process("run", source, *SMALL, "--no-out").stdout
+    assert "choose a longer healthy part" in gam_process("run", source, *SMALL, "--no-out").stdout
 
 
 def test_a_healthy_machine_is_fine() -> None:
@@ -120,7 +120,7 @@ def test_a_healthy_machine_is_fine() -> None:
 
 def test_a_worn_machine_needs_attention() -> None:
     short = gam("run", saved({("R1", "j1"): healthy(), ("R1", "j2"): worn()}), *SMALL)
-    assert "of 2 there is more to say: --all" in short.stdout
+    assert "2 channels with further remarks: --all" in short.stdout
     assert "above its limit" not in short.stdout
     assert "Limit: " not in short.stdout
     result = gam("run", "plant.parquet", *SMALL, "--all")
@@ -151,7 +151,7 @@ def test_a_channel_without_calibration_raises_none_beside_others() -> None:
     assert "no usable sample in calibration" in result.stdout
     alone = gam("run", source, *SMALL, "--where", "channel = 'j2'")
     assert alone.exit_code == 4
-    assert "say which part is healthy" in " ".join(alone.stdout.split())
+    assert "choose a healthy part that holds data" in " ".join(alone.stdout.split())
 
 
 def test_a_grid_that_is_too_fine_needs_attention() -> None:

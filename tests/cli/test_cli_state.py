@@ -67,7 +67,7 @@ def test_a_worn_channel_comes_first_and_asks_for_attention() -> None:
     saved(some_plant())
     short = gam("status", "--database", "plant.duckdb").stdout
     assert "above its limit" not in short
-    assert "of 2 there is more to say: --all" in short
+    assert "2 channels with further remarks: --all" in short
     result = gam("status", "--database", "plant.duckdb", "--all")
     assert result.exit_code == 2, result.output
     lines = result.stdout.splitlines()
@@ -83,7 +83,7 @@ def test_a_worn_channel_comes_first_and_asks_for_attention() -> None:
     assert lines[place + 1].split()[:5] == ["!", "R1", "1", "of", "2"]
     assert lines[place + 1].split()[7] == "j1", "the first one, after day and time"
     assert "data problems" not in result.stdout
-    assert "Trend: HI now less HI a window earlier." in " ".join(result.stdout.split())
+    assert "Trend: HI now minus HI a window earlier." in " ".join(result.stdout.split())
 
 
 def test_nothing_of_note_is_fine() -> None:

@@ -117,7 +117,7 @@ def stored() -> list[tuple[Any, ...]]:
 def test_the_whole_path_from_a_file_to_an_alarm() -> None:
     made = gam("calibrate", saved(800), *STATE, *SMALL, *HEALTHY)
     assert (made.exit_code, made.stderr) == (0, "")
-    assert "state tables gam_* were made in plant.duckdb" in said(made)
+    assert "state tables gam_* were created in plant.duckdb" in said(made)
     assert "plant.duckdb, monitor default, from plant.parquet: 2 new versions of 1 asset" in said(made)
     line = next(line for line in made.stdout.splitlines() if line.startswith("  j1"))
     assert line.split()[:8] == ["j1", "1", "first", "calibration", "ready", "1", "%", "0.000"]
@@ -128,7 +128,7 @@ def test_the_whole_path_from_a_file_to_an_alarm() -> None:
     saved(1200)
     second = gam("score", *STATE)
     assert second.exit_code == 2
-    assert "channels: 1 with a proving episode, 1 ok; gam status shows them" in said(second)
+    assert "channels: 1 with a proving episode, 1 ok" in said(second)
     hi = {(asset, channel, time): count for asset, channel, _, time, _, count in buckets()}
     assert hi["R1", "j1", 1199] == 0
     assert hi["R1", "j2", 1199] == 50
@@ -175,7 +175,7 @@ def test_a_calibration_that_is_not_good_enough_asks_for_attention() -> None:
     source = saved(1000, {("R2", "fine"): noise, ("R2", "short"): short, ("R2", "gone"): gone})
     asked = ("calibrate", source, *STATE, *SMALL, *HEALTHY, "--bins", "60", "--again")
     brief = said(gam(*asked))
-    assert "there is more to say: --all" in brief
+    assert "with further remarks: --all" in brief
     assert "grid too fine for its calibration" not in brief
     result = gam(*asked, "--all")
     assert result.exit_code == 2
@@ -231,7 +231,7 @@ def test_a_dry_run_tells_the_ranges_and_writes_nothing() -> None:
     result = gam("score", *STATE, "--dry-run")
     assert result.exit_code == 0
     assert ["599", "2", "402"] in [line.split() for line in result.stdout.splitlines()]
-    assert "would read 2 channels, 402 rows; nothing was written" in said(result)
+    assert "would read 2 channels, 402 rows; wrote nothing" in said(result)
     found = figures("score", *STATE, "--dry-run")
     assert found["ranges"] == [{"earliest": 599, "channels": 2, "rows": 402}]
     assert (found["dry_run"], found["status"], found["channels"]) == (True, [], [])
@@ -287,7 +287,7 @@ def test_settings_that_changed_since_calibration_are_told() -> None:
     assert "other settings" not in said(gam("score"))
     Path("gam.toml").write_text(text + "[[override]]\nchannel = 'j2'\nbins = 12\n")
     result = gam("score")
-    assert "gam.toml has other settings than those by which 1 channel learned: R1 j2" in said(result)
+    assert "gam.toml differs from the settings by which 1 channel learned: R1 j2" in said(result)
     assert figures("score")["other_settings"] == [{"asset": "R1", "channel": "j2"}]
     assert [row["channel"] for row in figures("calibrate")["new_versions"]] == ["j2"]
     assert "other settings" not in said(gam("score"))

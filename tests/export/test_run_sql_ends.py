@@ -128,7 +128,7 @@ def test_the_command_prints_it_and_the_line_of_cron_runs_it(
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
     assert len(runs.stored(monitor)["bucket"]) > before
     for more, said in (
-        (["telemetry"], "leave SOURCE out"),
+        (["telemetry"], "leave out SOURCE"),
         (["--engine", "postgres"], "leave out --engine postgres"),
     ):
         ended = CliRunner().invoke(app, [*asked, *prefix, *more])

@@ -84,7 +84,7 @@ def test_the_table_can_be_read() -> None:
 def test_without_outcomes_it_says_what_is_missing() -> None:
     result = gam("evaluate", "health.parquet", "--surrogates", "0")
     assert result.exit_code == 0, result.output
-    assert "there is more to say: --all" in result.stdout
+    assert "with further remarks: --all" in result.stdout
     assert result.stdout.count("needs --outcomes") == 3
     assert "chance" not in result.stdout.casefold()
     assert "outcome " not in result.stdout

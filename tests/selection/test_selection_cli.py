@@ -104,7 +104,7 @@ def test_what_is_written_says_what_was_chosen() -> None:
     again = gam("select", "recording.parquet", "--window", "200", *QUICK, "--write", "gam.toml")
     assert again.exit_code == 0, again.output
     assert "written: gam.toml; read it, then: gam run\n" in again.output
-    assert "gam.toml says another calibration than the one that this was chosen from" in again.output
+    assert "gam.toml has another calibration than the one used here" in again.output
     assert Path("gam.toml").read_text() == text
 
 

@@ -46,7 +46,7 @@ def said(result: Result) -> str:
 
 def test_a_check_is_recorded_and_told_by_status(plant: Path) -> None:
     never = gam("status")
-    assert "the state was never compared with its source; gam check --state does it" in said(never)
+    assert "the state was never compared with its source; run gam check --state" in said(never)
     assert json.loads(gam("status", "--json").stdout)["proved"] is None
     sound = gam("check", "--state")
     assert sound.exit_code == 0, sound.output
@@ -64,7 +64,7 @@ def test_a_check_is_recorded_and_told_by_status(plant: Path) -> None:
         wrong
     )
     assert "gam score --from" in said(wrong)
-    assert "what no scoring mends" not in said(wrong)
+    assert "in a way that scoring does not repair" not in said(wrong)
     told = json.loads(gam("status", "--json").stdout)["proved"]
     assert (told["channels"], told["versions"], told["buckets"]) == (4, 4, 92)
     assert told["differences"] == 8, "the buckets of each channel, by themselves and by the source"
@@ -83,7 +83,7 @@ def test_damage_says_what_to_do(plant: Path) -> None:
     assert "a x: version 1: frozen: changed since calibration froze it: its integers (1)" in text
     assert "tables: rows of gam_state_run whose version is not there (1)" in text
     assert "1 of 4 channels differ" in text
-    assert "put them back from a copy of the database; or gam calibrate --again" in text
+    assert "restore them from a copy of the database; or make new versions with gam calibrate" in text
     refused = gam("score")
     assert refused.exit_code == 1
     assert "gam does not score with it. Restore the tables" in " ".join(refused.stderr.split())
@@ -98,7 +98,7 @@ def test_what_cannot_be_recorded_is_checked_all_the_same(
     monkeypatch.setattr(check, "keep", refusing)
     result = gam("check", "--state")
     assert result.exit_code == 0, result.output
-    assert "that this was checked could not be recorded: The database is open" in said(result)
+    assert "the time of this check could not be recorded: The database is open" in said(result)
     figures = json.loads(gam("check", "--state", "--json").stdout)
     assert figures["recorded"] is False
 

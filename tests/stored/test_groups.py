@@ -81,7 +81,7 @@ def test_openings_of_a_machine_within_two_judgements_are_one_group(tmp_path: Pat
     run = typer.testing.CliRunner().invoke(app, ["alarm", "2", "--database", str(path)])
     for words in ("30 to 32", "above 40", "-9"):
         assert words in run.output
-    for line in ("feedback: none yet", "! a judgement of the episode.", "  gam label 2 true_fault "):
+    for line in ("feedback: none yet", "(! while the episode is open):", "  gam label 2 true_fault "):
         assert line in run.output
     words = " ".join(run.output.split())
     assert "times the alarm threshold; basis table" in words

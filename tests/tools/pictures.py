@@ -27,7 +27,7 @@ def draw_demo() -> None:
     """Draw what the demo says of the machine, without what is said before and after."""
     wide = {"COLUMNS": "100", "FORCE_COLOR": "1"}
     printed = CliRunner().invoke(app, ["demo"], env=wide, color=True).stdout
-    start, end = printed.index("\nsimulated machine:") + 1, printed.index("Next, on your own data")
+    start, end = printed.index("\nsimulated machine:") + 1, printed.index("Next, try your own data")
     console = Console(record=True, width=100, file=io.StringIO())
     console.print("$ gam demo", Text.from_ansi(printed[start:end].rstrip()), sep="\n")
     console.save_svg(str(DOCS / "demo.svg"), title="gam demo")

@@ -5,13 +5,13 @@ from gam_db.cli.toml_text import entries
 from gam_db.settings.setting import Setting, settings_of
 
 HEAD = """\
-# Everything that gam.toml can hold. All of it is optional; options of the command line go before it.
-# Lengths of time are seconds or a text with a unit (us, ms, s, min, h, d, w), or steps of a counter.
+# Every setting of gam.toml. All are optional; options of the command line override them.
+# A length of time is seconds, a text with a unit (us, ms, s, min, h, d, w), or steps of a counter.
 """
 
 REMARKS = {
     "calibration": "one of fraction, duration, intervals",
-    "monitor": "what is kept in the database from run to run",
+    "monitor": "storage of results between runs",
 }
 
 #: What is no setting of its own: parameters and calibration of some channels.
