@@ -286,7 +286,7 @@ def vouching(row: Row) -> list[str]:
     if row["vouched_by"] == 1:
         return [f"not vouched: only {teachers} taught"]
     if row["vouched_by"] is not None:
-        return [f"judged by {teachers}; its own healthy states are not known"]
+        return [f"judged by {teachers}; of itself nothing is known"]
     return (
         []
         if floor is None

@@ -116,7 +116,7 @@ def one(words: list[Any], times: list[Any] | None = None, **said: Any) -> Source
         (one(["1.5", "2.5"]), "all its values are, so --decimal . reads them"),
         (
             one(["open", "shut", "open"]),
-            "words only, 'open', 'shut': .* give a view with a number for each",
+            "only words, 'open', 'shut': .* give a view with a number for each",
         ),
         (
             one(["1.5", "N/A"], decimal="."),
@@ -130,7 +130,7 @@ def one(words: list[Any], times: list[Any] | None = None, **said: Any) -> Source
         ),
         (
             one([1.0], ["01/02/2026"]),
-            "'%d/%m/%Y' or --time-format '%m/%d/%Y' would read them: say which",
+            "'%d/%m/%Y' or --time-format '%m/%d/%Y' would read them: choose one",
         ),
         (
             one([1.0, 2.0], ["2026-01-01", "?"]),

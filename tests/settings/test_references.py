@@ -185,7 +185,7 @@ def test_an_option_goes_before_the_file() -> None:
     [
         (["--calibration-fraction", "M1=half"], "--calibration-fraction is 'half'; it takes a number"),
         (["--calibration-fraction", "0.1", "--calibration-fraction", "0.2"], "given twice"),
-        (["--exclude", "M1=0/5"], "--exclude speaks of 'M1', which has no calibration of its own"),
+        (["--exclude", "M1=0/5"], "--exclude names 'M1', which has no calibration of its own"),
         (["--calibrate", "M1=false", "--calibrate", "M1=0/9"], "--calibrate is 'false'; write FROM/TO"),
         (["--calibrate", "M1=false", "--calibration-fraction", "M1=0.2"], "write FROM/TO|takes one of"),
     ],

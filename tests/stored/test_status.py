@@ -73,14 +73,14 @@ def test_the_most_urgent_channel_comes_first_and_says_why(session: DuckSession) 
     assert first["last_time"] == first["last_data"] == dt.datetime(1970, 1, 1, 0, 0, 39)
     assert rows[4]["last_time"] == dt.datetime(1970, 1, 1, 0, 0, 54)
     assert [row["remarks"] for row in rows[1:]] == [
-        ["grid too fine for its calibration, 7 bins would pass"],
+        ["grid too fine for its calibration; 7 bins would pass"],
         [
             "calibration too short; it needs about 300 more vectors",
             "HI not yet available: 0 of 20 vectors scored",
         ],
         ["HI not yet available: 10 of 20 vectors scored"],
         [],
-        ["was constant in calibration: not assessable"],
+        ["constant in calibration: not assessable"],
         [],
     ]
 
@@ -230,7 +230,7 @@ def test_an_asset_is_as_urgent_as_its_worst_channel(session: DuckSession) -> Non
 @pytest.mark.parametrize(
     ("verdict", "finest", "remark"),
     [
-        ("too_fine", 5, "grid too fine for its calibration, 5 bins would pass"),
+        ("too_fine", 5, "grid too fine for its calibration; 5 bins would pass"),
         (
             "too_fine",
             4,

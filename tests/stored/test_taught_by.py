@@ -24,8 +24,8 @@ from visible import visible
 PARAMETERS: dict[str, Any] = {"m": 1, "tau": 1, "bins": 4, "window": 1, "range": "min_max"}
 
 ONE = "not vouched: only a taught"
-TWO = "judged by a and b; its own healthy states are not known"
-THREE = "judged by a, b and c; its own healthy states are not known"
+TWO = "judged by a and b; of itself nothing is known"
+THREE = "judged by a, b and c; of itself nothing is known"
 
 #: name -> values of each asset from time 1 on, calibration, target floor, and what each asset must have:
 #: verdict, floor, by machine, limit, machines that vouch, who taught, in words.
