@@ -255,8 +255,7 @@ def test_a_missing_extension_is_named(monkeypatch: pytest.MonkeyPatch, folder: P
         said = first_line(gam("run", path, "--no-out"))
         assert said.startswith(f"gam: {path} ")
         assert (
-            f"DuckDB needs the extension {extension}, which is not installed" in said
-            or "cannot be read" in said
+            f"DuckDB's extension {extension}, which is not installed" in said or "cannot be read" in said
         )
 
 
