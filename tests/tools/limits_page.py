@@ -50,11 +50,11 @@ CASES: dict[str, Callable[[], Signal]] = {
     "of three products only the first is still made": lambda: (
         _stroke() * np.where(_LATER, 1.0, _PRODUCTS)
     ),
-    "the machine stands for ever; in calibration it stood a tenth of the time": lambda: np.where(
+    "the machine stops for good; in calibration it stood a tenth of the time": lambda: np.where(
         _LATER | _STANDING, 0.5, _stroke()
     ),
     "the signal loses its phase to another signal of the machine": lambda: _stroke(11, 22),
-    "a shift by 30 % comes, which 5 % of calibration held, too": lambda: (
+    "a shift of 30 %, already present in 5 % of calibration": lambda: (
         _stroke() + 0.3 * (_LATER | _FAULTY)
     ),
     "every other reading is missing": lambda: np.where(
