@@ -86,7 +86,7 @@ def passes(*words: str) -> None:
 
 
 def test_a_fleet_of_the_specification() -> None:
-    passes("tests/method/test_spec.py", "-k", "test_cases and spark-9")
+    passes("tests/method/test_spec.py::test_cases", "-k", "spark-9")
 
 
 @pytest.mark.full
