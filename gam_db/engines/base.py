@@ -81,7 +81,7 @@ def _formula(text: str) -> template.Template:
     return replace(parsed, tree=whole.this.pop())
 
 
-def formula(text: str, **slots: template.Slot) -> exp.Expr:
+def formula(text: str, /, **slots: template.Slot) -> exp.Expr:
     """Return an expression with its slots filled.
 
     Args:

@@ -358,7 +358,7 @@ def test_bad_values_and_conditions_are_said_in_one_line(
 
 
 def test_a_missing_file_or_table_is_named(spark: Session, tmp_path: Path) -> None:
-    with pytest.raises(SourceError, match="no such file"):
+    with pytest.raises(SourceError, match="does not exist"):
         gam_db.support(gam_db.Source(str(tmp_path / "none.parquet")), engine=spark)
     with pytest.raises(SourceError, match="no table or view 'none'"):
         gam_db.support(gam_db.Source("none"), engine=spark)
