@@ -143,10 +143,10 @@ def test_bursts_are_regular() -> None:
 @pytest.mark.parametrize(
     ("unit", "ticks", "option"),
     [
-        ("seconds", 1, "--time-unit s makes"),
-        ("milliseconds", 10**3, "--time-unit ms makes"),
-        ("microseconds", 10**6, "--time-unit us makes"),
-        ("nanoseconds", 10**9, "--time-unit ns makes"),
+        ("seconds", 1, "--time-unit s turns"),
+        ("milliseconds", 10**3, "--time-unit ms turns"),
+        ("microseconds", 10**6, "--time-unit us turns"),
+        ("nanoseconds", 10**9, "--time-unit ns turns"),
     ],
 )
 def test_a_counter_that_counts_from_1970(unit: str, ticks: int, option: str) -> None:
@@ -225,7 +225,7 @@ def test_text_columns_that_hold_numbers() -> None:
 def test_too_few_samples_for_a_window() -> None:
     found = said(table(wave(100)), Parameters(window=81), Calibration())
     assert found["short"].must
-    assert "(100 in all, 20 of calibration)" in found["short"].text
+    assert "(100 in all, 20 in calibration)" in found["short"].text
     assert "short" not in said(table(wave(100)), Parameters(window=80), Calibration())
 
 

@@ -221,7 +221,7 @@ def test_without_any_state(session: DuckSession) -> None:
         ("DROP VIEW gam_state_visible_novel", "gam_state_visible_novel no longer exists"),
         (
             "ALTER TABLE gam_state_migration RENAME name TO title",
-            "a gam_state_migration .* no state",
+            "The gam_state_migration .* not a state",
         ),
     ],
 )

@@ -219,7 +219,7 @@ def _of_before(tables: StateTables, row: Applied) -> StateError:
     return StateError(
         f"gam-db {row.gam_version} made the state tables {tables}* in another form than gam-db "
         f"{__version__} "
-        "needs: drop them with `gam drop --yes`; then `gam calibrate` makes them anew."
+        "needs: drop them with `gam drop --yes`, then `gam calibrate` makes them anew."
     )
 
 
