@@ -201,7 +201,7 @@ def test_a_stopped_session_is_refused(theirs: Any) -> None:
 @pytest.mark.parametrize(
     ("condition", "message"),
     [
-        ("CAST(asset AS BIGINT) = 7", "cannot be read as what its column must be"),
+        ("CAST(asset AS BIGINT) = 7", "cannot be read as the type that its column needs"),
         ("no_such_column > 7", "which Spark refuses"),
     ],
 )

@@ -73,7 +73,7 @@ def test_what_cannot_be_told_is_asked_for(columns: dict[str, str], asks_for: str
     """The message names the option, and lists the columns with their types."""
     with pytest.raises(SourceError) as caught:
         guessed(columns)
-    assert f"say {asks_for} COLUMN" in caught.value.options
+    assert f"give {asks_for} COLUMN" in caught.value.options
     for name, type_name in columns.items():
         assert f"{name} ({type_name})" in str(caught.value)
 
