@@ -137,9 +137,7 @@ def test_what_is_wrong_with_the_data_is_summed_up() -> None:
     assert "data problems: 3" in said
     assert "- late: R3 j1: at least 4 rows arrived later than lookback, after 20" in said
     assert "- calibration changed: R3 j1: 1 row entered the calibration of version 1" in said
-    assert re.search(
-        r"- silent: R3 j1: nothing since 20\S+ \S+ UTC, 3.47 d behind the newest data", said
-    )
+    assert re.search(r"- silent: R3 j1: no row since 20\S+ \S+ UTC, 3.47 d behind the newest data", said)
     patient = gam("status", "--database", "plant.duckdb", "--park-after", "5 d")
     assert "silent" not in patient.stdout
     assert "4 of 4 channels watched" in " ".join(patient.stdout.split())

@@ -143,7 +143,7 @@ def test_a_statement_that_is_stopped_is_no_refusal_to_go_on_from() -> None:
     with DuckSession() as session:
         stop = threading.Timer(0.3, session.connection.interrupt)
         stop.start()
-        with pytest.raises(EngineError, match="was stopped"):
+        with pytest.raises(EngineError, match="was interrupted"):
             session.fetch(endless)
         stop.join()
 

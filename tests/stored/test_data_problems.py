@@ -101,7 +101,7 @@ def test_each_kind_is_listed_by_hand(engine: str) -> None:
         "late: late x: at least 3 rows arrived later than lookback, after 1970-01-08 00:00 UTC, so "
         "the scores lack them"
     )
-    assert said[5] == "silent: gone x: nothing since 1970-01-07 00:00 UTC, 4 d behind the newest data"
+    assert said[5] == "silent: gone x: no row since 1970-01-07 00:00 UTC, 4 d behind the newest data"
     advice = standing.problems["advice"].to_pylist()
     assert advice[1].startswith("Run gam score --from 1970-01-08T00:00:00 to score them")
     told = " ".join(" ".join(row["remarks"]) for row in channels.values())
