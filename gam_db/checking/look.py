@@ -96,7 +96,7 @@ def add_look(steps: Pipeline, method: Method, instant_of: TimeNode) -> None:
 
 def _by_setting(figures: Sequence[int | None]) -> exp.Expr:
     """Return the figure of a channel by the number of its settings."""
-    number = exp.column("settings_no", table="figures")
+    number = exp.column("settings_no", table="channel_row")
     others = enumerate(figures[1:], start=1)
     return template.case(((number.eq(place), figure) for place, figure in others), figures[0])
 

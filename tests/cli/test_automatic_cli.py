@@ -55,7 +55,7 @@ def test_a_version_is_frozen_with_numbers_and_the_words_are_no_other_setting() -
 
 
 def test_select_shows_the_score_of_each_delay() -> None:
-    said = gam("select", "plant.csv", "--calibration-fraction", "0.5").stdout
+    said = " ".join(gam("select", "plant.csv", "--calibration-fraction", "0.5").stdout.split())
     assert "score by delay: 1: " in said
     assert "2 siblings take tau" in said
 

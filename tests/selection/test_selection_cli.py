@@ -40,7 +40,7 @@ def test_a_report_says_what_to_take() -> None:
     lines = result.output
     assert "chosen from the first 100 % of each channel" in lines
     assert "first minimum of mutual information" in lines
-    said = "147: an eighth of calibration, so that it has 8 blocks; 300 take a longer calibration"
+    said = "147: an eighth of calibration, so that it has 8 blocks; 300 need a longer calibration"
     assert said in lines, "of 1,200 samples"
     taken = next(line for line in lines.splitlines() if line.strip().startswith("take"))
     assert [word for word in taken.split() if word.startswith("--")] == [
