@@ -301,7 +301,7 @@ def test_a_monitor_and_a_settings_file_keep_several_files(folder: Path) -> None:
     assert gam("init", *named, "--out", "gam.toml").exit_code in (0, 2)
     assert 'relation = ["a.parquet", "b,& c.parquet"]' in Path("gam.toml").read_text()
     result = gam("calibrate", "--window", "20", "--database", "m.duckdb")
-    assert "a pattern in quotes ('part-*.parquet') or a folder" in result.stdout
+    assert "a pattern in quotes ('part-*.parquet') or a folder" in " ".join(result.stdout.split())
     Path("gam.toml").unlink()
     result = gam("score", "--database", "m.duckdb")
     assert f"{folder}/a.parquet and 1 more" in " ".join(result.stdout.split())

@@ -161,7 +161,7 @@ def refuse(engine: str) -> None:
     monitor = made(engine)
     sound = damaged(monitor, "a")
     monitor.score(dry_run=True)  # writes nothing, so it may look
-    said = r"of 2 channels \('a x': the cells of its support; 'b x'"
+    said = r"in 2 channels \('a x': the cells of its support; 'b x'"
     with pytest.raises(StateError, match=said) as caught:
         monitor.score()
     assert "gam check --state" in caught.value.options
