@@ -210,7 +210,7 @@ def test_without_room_for_the_journal_the_log_stays(path: Path) -> None:
     with DuckSession() as session:
         resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, hard))
         try:
-            with pytest.raises(FullError, match="a quota is reached"):
+            with pytest.raises(FullError, match="a quota or ulimit is reached"):
                 session.write(exp.select("1 AS one"), path, "results")
         finally:
             resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
