@@ -292,7 +292,7 @@ def test_grants_that_are_none(words: tuple[str, ...]) -> None:
         (("--sql", "--engine", "postgres", "--grants", "owner="), "Name at least one of owner, writer"),
         (
             ("--sql", "--engine", "redshift", "--grants", "owner=x"),
-            "not of Redshift",
+            "not for Redshift",
         ),
         (("--grants", "owner=x"), "add --sql"),
     ],
