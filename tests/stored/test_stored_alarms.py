@@ -335,7 +335,7 @@ def test_labels_decide_and_pause(plant: Plant) -> None:
     assert plant.now() == [(1, "open", True)], "that snooze is over"
     assert label("true_fault", asset="a", span=(0, 10**6), note="gear") == [1]
     assert plant.now() == [(1, "open", True)]
-    with pytest.raises(ParameterError, match="is labelled true_fault already, which false_alarm contra"):
+    with pytest.raises(ParameterError, match="is already labelled true_fault, which false_alarm contra"):
         label("false_alarm", 1)
     label("false_alarm", 1, instead=True)
     assert plant.now() == [(1, "open", False)]

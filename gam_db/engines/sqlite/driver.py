@@ -72,7 +72,7 @@ class SqliteDriver(DbapiDriver):
 
     engine = ENGINE
     errors: tuple[type[Exception], ...] = (sqlite3.Error,)
-    no_files = "SQLite reads no files by path; load {path} into a table and name that."
+    no_files = "SQLite does not read files by path; load {path} into a table and name the table."
     most_rows = 5_000_000  # temporary tables are on disk
 
     def __init__(self, connection: sqlite3.Connection, owned: bool) -> None:
