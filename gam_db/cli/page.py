@@ -135,7 +135,7 @@ def unseen(rows: Sequence[Row]) -> list[str]:
         change for row in rows if row["would_not_see"] for change in row["would_not_see"].split(", ")
     )
     words = ", ".join(f"{change} ({count:,})" for change, count in counts.most_common())
-    return [f"of {len(rows):,} would not see: {words}"] if words else []
+    return [f"would not see, of {number_of(len(rows), 'channel')}: {words}"] if words else []
 
 
 def advice(supports: Sequence[Row]) -> list[str]:
