@@ -120,7 +120,7 @@ def test_redshift_on_postgresql_gives_the_integers_of_the_specification(
         checked(on_postgres(postgres, *arguments), *arguments)
 
 
-@settings(max_examples=max(4, settings().max_examples // 20))
+@settings(max_examples=max(7, settings().max_examples // 20))
 @given(case=cases())
 def test_redshift_on_postgresql_gives_the_integers_of_the_reference(
     postgres: psycopg.Connection[dict[str, Any]], case: Case

@@ -458,7 +458,7 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path: Path) -> None:
         if text is not None:
             (tmp_path / "dbt_project.yml").write_text(text)
         before = sorted(tmp_path.rglob("*"))
-        with pytest.raises(gam_db.errors.ConfigurationError, match="something else"):
+        with pytest.raises(gam_db.errors.ConfigurationError, match="something other"):
             write(package(prefix=prefix), tmp_path)
         assert sorted(tmp_path.rglob("*")) == before
 

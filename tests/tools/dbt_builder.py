@@ -40,10 +40,11 @@ class Builder:
         order: list[str] = []
 
         def visit(name: str) -> None:
+            if name in order:
+                return
             for read in _REFERENCE.findall(self.models[name]):
                 visit(read)
-            if name not in order:
-                order.append(name)
+            order.append(name)
 
         for name in self.models:
             visit(name)
