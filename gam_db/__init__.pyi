@@ -24,6 +24,8 @@ from gam_db.lab.estimators import scores_at_buckets as scores_at_buckets
 from gam_db.lab.evaluation import Conventions as Conventions
 from gam_db.lab.evaluation import Evaluation as Evaluation
 from gam_db.lab.evaluation import evaluate as evaluate
+from gam_db.lab.evaluation.detection import Detection as Detection
+from gam_db.lab.evaluation.detection import detection as detection
 from gam_db.selection.select import Selection as Selection
 from gam_db.selection.select import select as select
 from gam_db.settings.calibration import Calibration as Calibration

@@ -68,6 +68,7 @@ FORMATS: Mapping[str, Callable[[Any, dt.tzinfo], Any]] = {
     "text": lambda of, _: printable(of) if isinstance(of, str) else f"{of:,}",
     "number": lambda of, _: str(of),
     "share": lambda of, _: share(of),
+    "rate": lambda of, _: f"{of:.3f}",
     "percent": lambda of, _: f"{of} %" if isinstance(of, int) else percent(of),
     "factor": lambda of, _: f"{of:,.1f}",
     "measurement": lambda of, _: f"{of:,.0f}" if 1e4 <= abs(of) < 1e9 else f"{of:.4g}",

@@ -20,7 +20,10 @@ TABLE = pa.table({"time": range(200), "value": SIGNAL})
 NAMED = gam_db.Source(TABLE, asset=None, channel=None)
 
 #: Public classes that are made by gam-db alone, or are errors.
-MADE = {"Evaluation", "Selection", "Summary", "GamError", "UserError", "CalibrationWarning"}
+MADE = {
+    *("Detection", "Evaluation", "Selection", "Summary"),
+    *("GamError", "UserError", "CalibrationWarning"),
+}
 CALLABLES: dict[str, Callable[..., Any]] = {
     name: getattr(gam_db, name) for name in gam_db.__all__ if name not in {*MADE, "__version__"}
 }

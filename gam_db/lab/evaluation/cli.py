@@ -14,14 +14,16 @@ from gam_db.cli import options, page, render
 from gam_db.cli.progress import working
 from gam_db.cli.render import Column, Table
 from gam_db.engines.connecting import connect
-from gam_db.errors import ConfigurationError, printable
-from gam_db.lab.evaluation import Conventions, Evaluation
+from gam_db.errors import ConfigurationError, printable, wrong
+from gam_db.lab.evaluation import Conventions, Evaluation, detection_page
 from gam_db.lab.evaluation.conventions import Amplitude, Monotonicity
+from gam_db.lab.evaluation.detection import detected
 from gam_db.lab.evaluation.run import evaluated
 from gam_db.settings.source import FILE_ENDINGS, is_file
 
 _FORMS = "Forms of the metrics"
 _SAMPLING = "Chance and spread"
+_DETECTION = "Labelled events"
 
 Row = dict[str, Any]
 
@@ -70,6 +72,64 @@ def evaluate(
         str | None,
         typer.Option(
             metavar="ADDRESS", help="Database that holds the tables (DuckDB); it is only read."
+        ),
+    ] = None,
+    labels: Annotated[
+        str | None,
+        typer.Option(
+            metavar="TABLE",
+            help="Events to compare raised values with, a file or a table of --database: columns asset, "
+            "channel (empty: all), start, end (empty: no end), event.",
+            rich_help_panel=_DETECTION,
+        ),
+    ] = None,
+    event: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME",
+            help="Event that counts (repeatable; default all labels).",
+            rich_help_panel=_DETECTION,
+        ),
+    ] = None,
+    limit: Annotated[
+        float | None,
+        typer.Option(
+            metavar="SHARE",
+            help="Limit above which a value of any channel is raised; default the limit of each "
+            "channel, from the column hi_limit of HEALTH or the support file beside it.",
+            rich_help_panel=_DETECTION,
+        ),
+    ] = None,
+    limits: Annotated[
+        str | None,
+        typer.Option(
+            metavar="TABLE",
+            help="Limits of the channels: columns asset, channel, hi_limit.",
+            rich_help_panel=_DETECTION,
+        ),
+    ] = None,
+    alarms: Annotated[
+        str | None,
+        typer.Option(
+            metavar="TABLE",
+            help="Alarms instead of limits, with columns like --labels: a value is raised in an alarm.",
+            rich_help_panel=_DETECTION,
+        ),
+    ] = None,
+    before: Annotated[
+        str | None,
+        typer.Option(
+            metavar="LENGTH",
+            help="Values that long before a label count neither way, such as '2 d' or 500.",
+            rich_help_panel=_DETECTION,
+        ),
+    ] = None,
+    after: Annotated[
+        str | None,
+        typer.Option(
+            metavar="LENGTH",
+            help="Values that long after a label count neither way.",
+            rich_help_panel=_DETECTION,
         ),
     ] = None,
     everything: options.All = False,
@@ -131,9 +191,42 @@ def evaluate(
     It prints Mon, Corr and Rob of every channel of HEALTH (paper, Eq. 5 to 9), beside the same of random
     series. With --outcomes it also prints Prog, Disc, trendability and Global of the fleet, with
     bootstrap intervals over the assets.
+
+    With --labels it compares raised values with labelled events instead: F1, beside that of chance,
+    false-alarm rate and missed-alarm rate of each machine, and how long before an event it was raised.
     """
-    for relation, what in ((health, "HEALTH"), (outcomes, "--outcomes")):
+    relations = {
+        "HEALTH": health,
+        "--outcomes": outcomes,
+        "--labels": labels,
+        "--limits": limits,
+        "--alarms": alarms,
+    }
+    for what, relation in relations.items():
         _check_relation(relation, what, database)
+    if labels is not None:
+        if outcomes is not None:
+            raise wrong("labels_and_outcomes")
+        session = connect(database, threads, writable=False)
+        with working(session):
+            detection = detected(
+                session,
+                health,
+                labels,
+                events=event or (),
+                limit=limit,
+                limits=limits,
+                alarms=alarms,
+                before=before or 0,
+                after=after or 0,
+            )
+        figures = {"health": health, "labels_of": labels, **vars(detection)}
+        lines = detection_page.sections(health, detection, everything)
+        render.show(render.Page(figures, lines), options.Common(as_json=as_json))
+        return
+    _refuse_without_labels(
+        event=event, limit=limit, limits=limits, alarms=alarms, before=before, after=after
+    )
     conventions = Conventions(
         monotonicity=monotonicity,
         amplitude=amplitude,
@@ -152,6 +245,12 @@ def evaluate(
 
     sections = _sections(health, evaluation, conventions, everything)
     render.show(render.Page(figures, sections), options.Common(as_json=as_json))
+
+
+def _refuse_without_labels(**given: object) -> None:
+    for name, value in given.items():
+        if value:
+            raise wrong("needs_labels", name=f"--{name}")
 
 
 def _sections(

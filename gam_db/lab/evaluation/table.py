@@ -30,6 +30,7 @@ class HealthTable:
         counts: whether the indicator is a count of novel vectors over a window.
         buckets: whether its values are numbered buckets, of which the first ones are not full.
         vectors: whether it is what gam run writes with a row per vector.
+        limited: whether it tells the limit of its channels.
     """
 
     indicator: exp.Query
@@ -37,6 +38,7 @@ class HealthTable:
     counts: bool
     buckets: bool
     vectors: bool = False
+    limited: bool = False
 
 
 def health_table(session: Session, relation: Any) -> HealthTable:
@@ -67,6 +69,8 @@ def health_table(session: Session, relation: Any) -> HealthTable:
             f"{', '.join(PLACES[:-1])} or {PLACES[-1]}."
         )
     time = "last_time" if place == "bucket" and "last_time" in columns else place
+    if time == "last_time" and "last_tick" in columns and _is_empty(session, node, time):
+        time = "last_tick"  # a view of a monitor whose source counts time
     if time in columns:
         node = with_times_read(session, Source(relation, None, None, time, "hi"), columns, node)
     kinds = {name: _kind(session, name, columns[name]) for name in (place, time)}
@@ -81,15 +85,16 @@ def health_table(session: Session, relation: Any) -> HealthTable:
             "time": integer_of(kinds[time], template.column(time)),
             "hi": template.column("hi"),
             "novel_in_window": template.column("novel_in_window") if counts else None,
-            "vectors_in_window": (
-                template.column("vectors_in_window") if "vectors_in_window" in columns else None
-            ),
+            **{
+                name: template.column(name) if name in columns else None
+                for name in ("vectors_in_window", "hi_limit")
+            },
         },
     )
     read_from(query, "health", node)
     vectors = place == "time" and counts and "vectors_in_window" in columns
     kind = None if time == "bucket" else kinds[time]
-    return HealthTable(query, kind, counts, place == "bucket", vectors)
+    return HealthTable(query, kind, counts, place == "bucket", vectors, "hi_limit" in columns)
 
 
 def read_from(query: exp.Query, name: str, relation: exp.Expr) -> None:
@@ -97,6 +102,13 @@ def read_from(query: exp.Query, name: str, relation: exp.Expr) -> None:
     for table in list(query.find_all(exp.Table)):
         if table.name == name and not table.db:
             table.replace(relation.copy())
+
+
+def _is_empty(session: Session, relation: exp.Expr, column: str) -> bool:
+    """Tell whether no row of a relation has a value in a column."""
+    count = exp.Count(this=template.column(column))
+    (row,) = session.rows(exp.select(exp.alias_(count, "count")).from_(relation.copy()))
+    return bool(row["count"] == 0)
 
 
 def _kind(session: Session, name: str, type_name: str) -> TimeKind:

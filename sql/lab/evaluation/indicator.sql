@@ -7,6 +7,7 @@
 --         :hi                  the indicator
 --         :novel_in_window     the count that it is a share of, NULL where it is none
 --         :vectors_in_window   what it is a share of at each value, NULL where that is not told
+--         :hi_limit            the limit of the channel at each value, NULL where the table has none
 SELECT
   asset,
   channel,
@@ -17,7 +18,8 @@ SELECT
     WHEN raw_hi BETWEEN CAST(-1e300 AS DOUBLE) AND CAST(1e300 AS DOUBLE) THEN raw_hi
   END AS hi,
   novel_in_window,
-  vectors_in_window
+  vectors_in_window,
+  hi_limit
 FROM (
   SELECT
     CAST(:asset AS VARCHAR) AS asset,
@@ -26,6 +28,7 @@ FROM (
     CAST(:time AS BIGINT) AS time,
     CAST(:hi AS DOUBLE) AS raw_hi,
     CAST(:novel_in_window AS BIGINT) AS novel_in_window,
-    CAST(:vectors_in_window AS BIGINT) AS vectors_in_window
+    CAST(:vectors_in_window AS BIGINT) AS vectors_in_window,
+    CAST(:hi_limit AS DOUBLE) AS hi_limit
   FROM health
 ) AS raw

@@ -1,0 +1,309 @@
+"""Detection: how well raised values of the indicator agree with labelled events.
+
+This module owns the public call :func:`detection`, and how labels, alarms and limits are read. Its rates
+are those that the literature on anomaly detection uses: F1, false-alarm rate and missed-alarm rate of
+values, and the lead of each event.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+from sqlglot import exp
+
+from gam_db import clock
+from gam_db.arguments import public
+from gam_db.clock import TimeKind
+from gam_db.composing import template
+from gam_db.composing.pipeline import Pipeline, filled
+from gam_db.engines.connecting import borrowed
+from gam_db.engines.session import Session
+from gam_db.errors import nearest, wrong
+from gam_db.findings import Row
+from gam_db.lab.evaluation.table import HealthTable, health_table, read_from
+from gam_db.method.adding import add
+from gam_db.reading.preparing import with_times_read
+from gam_db.settings.source import Source, is_file
+
+#: Ends of time, beyond which no margin reaches.
+_FIRST, _LAST = -(2**63), 2**63 - 1
+
+_INTERVALS = pa.schema(
+    [("label_no", pa.int64()), ("asset", pa.string()), ("channel", pa.string())]
+    + [(name, pa.int64()) for name in ("starts_at", "ends_at", "left_out_from", "left_out_until")]
+)
+_LIMITS = pa.schema([("asset", pa.string()), ("channel", pa.string()), ("hi_limit", pa.float64())])
+
+_LEADS = pa.schema(
+    [(name, pa.string()) for name in ("asset", "channel", "event")]
+    + [(name, pa.int64()) for name in ("starts_at", "ends_at", "has_values", "lead")]
+)
+
+#: Columns for the ends of an interval, the first that tells time as the indicators do: those of a table
+#: of labels, of :func:`gam_db.episodes` and of the view gam_alarm.
+_ENDS = {"start": ("start", "first_time", "first_tick"), "finish": ("end", "last_time", "last_tick")}
+
+#: Steps that are kept on the way, in order.
+_TABLE_STEPS = ("raised", "timeline", "label_leads")
+
+
+@public
+@dataclass(frozen=True)
+class Detection:
+    """How well raised values agree with labelled events.
+
+    Attributes:
+        rates: a row per channel, per machine (channel NULL: it is raised while a channel is) and for all
+            machines (asset NULL too): asset, channel, counted (values), left_out (values in a margin),
+            raised, labelled, hits (both), f1, f1_chance (what as many raised values at a random place in
+            time would give), false_alarm_rate, missed_alarm_rate (NULL where they would be 0 / 0),
+            labels (that hold a value), labels_raised, lead (of the middle label that was raised, in
+            microseconds or steps of the counter; negative: a delay).
+        labels: a row per label and channel, or machine: asset, channel, event, starts_at, ends_at (as
+            lead, since 1970; 2^63 - 1 where it has no end), has_values (0 where no value lies in it),
+            lead (NULL where it was not raised).
+        unmatched: labels that name no asset or channel of the indicators.
+        without_limit: channels that have no limit, and so are never raised.
+        unit: of leads and times, "microseconds" or "steps".
+    """
+
+    rates: pa.Table
+    labels: pa.Table
+    unmatched: int
+    without_limit: int
+    unit: str
+
+
+@public
+def detection(
+    health: Any,
+    labels: Any,
+    engine: Any = None,
+    *,
+    events: Sequence[str] = (),
+    limit: float | None = None,
+    limits: Any = None,
+    alarms: Any = None,
+    before: Any = 0,
+    after: Any = 0,
+    threads: int | None = None,
+) -> Detection:
+    """Compare raised values of health indicators with labelled events.
+
+    A value is raised where its indicator is above the limit of its channel, or where its time lies in an
+    alarm. It is labelled where its time lies in a label. The lead of a label is its start less the start
+    of the run of raised values that reaches it, or less the first raised value inside it.
+
+    Args:
+        health: as for :func:`gam_db.evaluate`; it must tell time.
+        labels: a relation with the columns asset, start, and optionally channel (NULL: all channels),
+            end (NULL: no end) and event. Both ends belong to the label.
+        engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
+        events: the events that count; none: all labels.
+        limit: a limit for all channels.
+        limits: a relation with the columns asset, channel and hi_limit, such as the support table that
+            gam run writes. Default: the column hi_limit of ``health``, else the support file beside it.
+        alarms: a relation like ``labels``, or what :func:`gam_db.episodes` returns: values are raised in
+            these intervals instead.
+        before: a length of time before a label in which values count neither way.
+        after: the same after a label.
+        threads: processor threads; None leaves DuckDB's own choice.
+
+    Raises:
+        UserError: see its subclasses; the message says what to mend.
+    """
+    with borrowed(engine, threads) as session:
+        return detected(session, health, labels, events, limit, limits, alarms, before, after)
+
+
+def detected(
+    session: Session,
+    health: Any,
+    labels: Any,
+    events: Sequence[str] = (),
+    limit: float | None = None,
+    limits: Any = None,
+    alarms: Any = None,
+    before: Any = 0,
+    after: Any = 0,
+) -> Detection:
+    """Compare in an open session; see :func:`detection`."""
+    table = health_table(session, health)
+    if table.kind is None:
+        raise wrong("detection_without_time")
+    kind = table.kind
+    indicator = session.keep("indicator", table.indicator)
+    pairs = session.fetch(exp.select("asset", "channel").distinct().from_(indicator.copy()))
+    series = {(row["asset"], row["channel"]) for row in pairs.to_pylist()}
+    labelled = _chosen(_intervals(session, labels, kind, "labels"), events)
+    unmatched = sum(not _matches(row, series) for row in labelled)
+    if unmatched == len(labelled):
+        raise wrong("no_label_matches", labels=len(labelled))
+    margins = clock.length(before, kind, "before"), clock.length(after, kind, "after")
+
+    without_limit = 0
+    steps = Pipeline()
+    tables = {"indicator": indicator, "labels": session.load(_labels(labelled, *margins))}
+    if alarms is None:
+        found = _limits(session, health, table, limit, limits)
+        tables["channel_limits"] = session.load(pa.Table.from_pylist(found, _LIMITS))
+        if limit is None and not table.limited:
+            watched = {(row["asset"], row["channel"]) for row in found if row["hi_limit"] is not None}
+            without_limit = len(series - watched)
+        add(steps, "lab/evaluation/raised_by_limit", {"limit": limit}, "raised")
+    else:
+        rows = _intervals(session, alarms, kind, "alarms")
+        tables["alarms"] = session.load(_labels(rows, 0, 0))
+        add(steps, "lab/evaluation/raised_in_alarm", {}, "raised")
+    for name in (
+        *("raised_machines", "timeline", "label_leads"),
+        *("label_counts", "detection_counts", "detection"),
+    ):
+        add(steps, f"lab/evaluation/{name}")
+    for step in _TABLE_STEPS:
+        tables[step] = session.keep(step, steps.query(step, tables))
+    leads = session.rows(exp.select("*").from_(tables["label_leads"].copy()))
+    return Detection(
+        session.fetch(steps.query("detection", tables)),
+        _leads(leads, labelled),
+        unmatched,
+        without_limit,
+        "steps" if kind.is_counter else "microseconds",
+    )
+
+
+def _intervals(session: Session, relation: Any, kind: TimeKind, what: str) -> list[Row]:
+    """Return the rows of a table of labels or alarms.
+
+    Raises:
+        SourceError: a column is missing or of the wrong type, or a row has no asset or start.
+    """
+    node = session.relation(relation)
+    columns = session.describe(node)
+    if "asset" not in columns:
+        raise wrong("intervals_without_asset", what=what, hint=nearest("asset", columns))
+    slots: dict[str, template.Slot] = {
+        name: template.column(name) if name in columns else None
+        for name in ("asset", "channel", "event")
+    }
+    for slot, names in _ENDS.items():
+        slots[slot] = None
+        time = _time_column(session, columns, names, kind)
+        if time is not None:
+            name, found = time
+            node = with_times_read(session, Source(relation, None, None, name, name), columns, node)
+            slots[slot] = session.engine.micros_of(found, template.column(name))
+        elif slot == "start" or names[0] in columns:
+            wanted = "an integer counter" if kind.is_counter else "a timestamp"
+            type_name = columns.get(names[0], "missing")
+            raise wrong("time_of_intervals", what=what, name=names[0], type=type_name, wanted=wanted)
+    query = filled("lab/evaluation/intervals", slots)
+    read_from(query, "intervals", node)
+    rows = session.rows(query)
+    incomplete = sum(row["asset"] is None or row["starts_at"] is None for row in rows)
+    if incomplete:
+        raise wrong("incomplete_intervals", what=what, rows=incomplete)
+    open_ended = [
+        {**row, "ends_at": _LAST if row["ends_at"] is None else row["ends_at"]} for row in rows
+    ]
+    backwards = sum(row["ends_at"] < row["starts_at"] for row in open_ended)
+    if backwards:
+        raise wrong("backward_intervals", what=what, rows=backwards)
+    return open_ended
+
+
+def _time_column(
+    session: Session, columns: Mapping[str, str], names: Sequence[str], kind: TimeKind
+) -> tuple[str, TimeKind] | None:
+    """Return the first of these columns that tells time as the indicators do, and how."""
+    for name in names:
+        found = session.engine.types.time_kind(columns[name]) if name in columns else None
+        if found is not None and found.is_counter == kind.is_counter:
+            return name, found
+    return None
+
+
+def _chosen(labels: list[Row], events: Sequence[str]) -> list[Row]:
+    """Return the labels of the events that count."""
+    if not labels:
+        raise wrong("no_labels")
+    known = sorted({row["event"] for row in labels if row["event"] is not None})
+    for event in events:
+        if event not in known:
+            raise wrong("no_such_event", event=event, events=", ".join(known[:10]) or "none")
+    return [row for row in labels if not events or row["event"] in events]
+
+
+def _matches(label: Row, series: set[tuple[str, str]]) -> bool:
+    """Tell whether a label names a channel, or a machine, of the indicators."""
+    asset, channel = label["asset"], label["channel"]
+    return any(asset == of and channel in (None, named) for of, named in series)
+
+
+def _labels(rows: Sequence[Row], before: int, after: int) -> pa.Table:
+    """Return intervals as the steps read them, each with its number and its margins."""
+    numbered = [
+        {
+            **row,
+            "label_no": number,
+            "left_out_from": max(_FIRST, row["starts_at"] - before),
+            "left_out_until": min(_LAST, row["ends_at"] + after),
+        }
+        for number, row in enumerate(rows)
+    ]
+    return pa.Table.from_pylist(numbered, _INTERVALS)
+
+
+def _limits(
+    session: Session, health: Any, table: HealthTable, limit: float | None, limits: Any
+) -> list[Row]:
+    """Return the limits of channels: those given, or those of the support file beside the indicators."""
+    if limit is not None or (limits is None and table.limited):
+        return []
+    relation = limits if limits is not None else _support_beside(health)
+    if relation is None:
+        raise wrong("no_limits")
+    node = session.relation(relation)
+    columns = session.describe(node)
+    for name in ("asset", "channel", "hi_limit"):
+        if name not in columns:
+            raise wrong("no_column_of_limits", name=name, hint=nearest(name, columns))
+    if not session.engine.types.is_numeric(columns["hi_limit"]):
+        raise wrong("limit_is_no_number", type=columns["hi_limit"])
+    slots: dict[str, template.Slot] = {
+        name: template.column(name) if name in columns else None
+        for name in ("asset", "channel", "hi_limit", "limit_reason")
+    }
+    query = filled("lab/evaluation/limits", slots)
+    read_from(query, "limits", node)
+    rows = session.rows(query)
+    if len({(row["asset"], row["channel"]) for row in rows}) < len(rows):
+        raise wrong("limits_twice")
+    return rows
+
+
+def _support_beside(health: Any) -> str | None:
+    """Return the support file that gam run wrote beside a file of indicators."""
+    if not isinstance(health, (str, Path)) or not is_file(str(health)):
+        return None
+    path = Path(health)
+    beside = path.with_name(f"{path.stem.removesuffix('.health')}.support{path.suffix}")
+    return str(beside) if beside.is_file() else None
+
+
+def _leads(leads: Sequence[Row], labels: Sequence[Row]) -> pa.Table:
+    """Return the leads with the labels that they are of, in order of machine, channel and start."""
+    rows = [
+        {
+            "asset": row["asset"],
+            "channel": row["channel"],
+            **{name: labels[row["label_no"]][name] for name in ("event", "starts_at", "ends_at")},
+            "has_values": row["has_values"],
+            "lead": row["lead"],
+        }
+        for row in leads
+    ]
+    rows.sort(key=lambda row: (row["asset"], row["channel"] or "", row["starts_at"], row["ends_at"]))
+    return pa.Table.from_pylist(rows, _LEADS)
