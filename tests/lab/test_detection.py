@@ -7,7 +7,7 @@ from typing import Any
 
 import pyarrow as pa
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from pyarrow import parquet
 from rich.cells import cell_len
@@ -105,7 +105,7 @@ def check(found: gam_db.Detection, rows: list[tuple[Any, ...]], leads: list[tupl
     names = (
         *("asset", "channel", "counted", "left_out", "raised", "labelled", "hits"),
         *("f1", "f1_chance", "false_alarm_rate", "missed_alarm_rate"),
-        *("labels", "labels_raised", "lead"),
+        *("labels", "labels_raised", "lead_time"),
     )
     assert tuple(found.rates.column_names) == names
     in_order = sorted(
@@ -116,7 +116,7 @@ def check(found: gam_db.Detection, rows: list[tuple[Any, ...]], leads: list[tupl
         assert [row[name] for name in names[11:]] == list(want[11:])
         for name, share in zip(names[7:11], want[7:11], strict=True):
             assert row[name] == (None if share is None else pytest.approx(float(share), rel=1e-12)), name
-    columns = ("asset", "channel", "starts_at", "ends_at", "has_values", "lead")
+    columns = ("asset", "channel", "starts_at", "ends_at", "has_values", "lead_time")
     listed = [tuple(row[name] for name in columns) for row in found.labels.to_pylist()]
     assert sorted(listed, key=key) == sorted(leads, key=key)
 
@@ -125,6 +125,7 @@ fleets = st.fixed_dictionaries({(asset, channel): flags for asset in ASSETS for 
 
 
 @pytest.mark.thorough
+@settings(max_examples=max(30, settings().max_examples // 3))
 @given(fleets, intervals(1), st.integers(0, 4), st.integers(0, 4))
 def test_values_above_a_limit_are_compared_with_labels(
     values: Values, labels: list[Interval], before: int, after: int
@@ -144,6 +145,7 @@ def test_values_above_a_limit_are_compared_with_labels(
 
 
 @pytest.mark.thorough
+@settings(max_examples=max(30, settings().max_examples // 3))
 @given(fleets, intervals(1), intervals(0))
 def test_values_in_an_alarm_are_compared_with_labels(
     values: Values, labels: list[Interval], alarms: list[Interval]
@@ -210,7 +212,7 @@ def test_episodes_are_alarms() -> None:
     """What gam_db.episodes returns is read as it is."""
     alarms = pa.table({"asset": ["a"], "channel": ["x"], "first_time": [3], "last_time": [3]})
     (machine, *_) = gam_db.detection(HEALTH, LABELS, alarms=alarms).rates.to_pylist()
-    assert (machine["raised"], machine["hits"], machine["lead"]) == (1, 1, -1)
+    assert (machine["raised"], machine["hits"], machine["lead_time"]) == (1, 1, -1)
 
 
 def changed(column: str, values: Any) -> pa.Table:

@@ -16,7 +16,7 @@ from gam_db.engines import engine_named
 from gam_db.engines.duckdb.session import DuckSession
 from gam_db.lab.evaluation import sampling
 from gam_db.lab.evaluation.members import Member, as_table
-from gam_db.lab.evaluation.steps import chance_steps, evaluation_steps
+from gam_db.lab.evaluation.steps import chance_steps, detection_steps, evaluation_steps
 from sql_lint import Kind
 
 #: Rob is an exponential and shares its column with all that is averaged. It is rounded into units far
@@ -34,7 +34,7 @@ GIVEN: dict[str, dict[str, Kind]] = {
     "indicator": {
         **dict.fromkeys(("asset", "channel"), Kind.OTHER),
         **dict.fromkeys(("place", "time", "novel_in_window", "vectors_in_window"), Kind.INTEGER),
-        "hi": Kind.DOUBLE,
+        **dict.fromkeys(("hi", "hi_limit"), Kind.DOUBLE),
     },
     "members": {
         **dict.fromkeys(("asset", "channel", "outcome"), Kind.OTHER),
@@ -53,6 +53,20 @@ SURROGATES: dict[str, dict[str, Kind]] = {
     "selected": {**COUNTS, "hi": Kind.DOUBLE},
     "surrogates": dict.fromkeys(("series_id", "stands_for"), Kind.INTEGER),
 }
+INTERVAL = {
+    **dict.fromkeys(("asset", "channel"), Kind.OTHER),
+    **dict.fromkeys(("label_no", "starts_at", "ends_at"), Kind.INTEGER),
+    **dict.fromkeys(("left_out_from", "left_out_until"), Kind.INTEGER),
+}
+EVENTS: dict[str, dict[str, Kind]] = {
+    "indicator": GIVEN["indicator"],
+    "labels": INTERVAL,
+    "alarms": INTERVAL,
+    "channel_limits": {
+        **dict.fromkeys(("asset", "channel"), Kind.OTHER),
+        "hi_limit": Kind.DOUBLE,
+    },
+}
 
 OTHER = gam_db.Conventions(monotonicity="sign", amplitude="ends", ddof=1)
 
@@ -63,6 +77,8 @@ OTHER = gam_db.Conventions(monotonicity="sign", amplitude="ends", ddof=1)
         (evaluation_steps(gam_db.Conventions(), counts=True, units=2**40, reasons=True), GIVEN),
         (evaluation_steps(OTHER, counts=False, units=2**52, reasons=False), GIVEN),
         (chance_steps(gam_db.Conventions(), units=2**52), SURROGATES),
+        (detection_steps(None, by_alarms=False), EVENTS),
+        (detection_steps(None, by_alarms=True), EVENTS),
     ],
 )
 def test_filled_steps_break_no_rule(steps: Pipeline, given: dict[str, dict[str, Kind]]) -> None:
@@ -130,3 +146,39 @@ def test_sqlite_gives_the_same(target: str, counts: bool) -> None:
     for left, right in zip(itertools.chain(*expected), itertools.chain(*found), strict=True):
         # All sums are of integers; only exponentials may differ in their last bit.
         assert left == (pytest.approx(right, rel=1e-15) if isinstance(right, float) else right)
+
+
+@pytest.mark.parametrize("by_alarms", [False, True])
+def test_sqlite_compares_labels_alike(by_alarms: bool) -> None:
+    generator = np.random.default_rng(7)
+    times = range(60)
+    names = list(itertools.product("ab", "xy", times))
+    interval = {
+        "label_no": range(4),
+        "asset": ["a", "a", "b", "c"],
+        "channel": pa.array([None, "x", "y", None], pa.string()),
+        "starts_at": [20, 25, -5, 0],
+        "ends_at": [30, 40, 3, 9],
+        "left_out_from": [15, 20, -10, -5],
+        "left_out_until": [32, 42, 5, 11],
+    }
+    given = {
+        "indicator": pa.table(
+            {
+                **dict(
+                    zip(("asset", "channel", "time"), map(list, zip(*names, strict=True)), strict=True)
+                ),
+                "hi": generator.random(len(names)),
+                "hi_limit": pa.nulls(len(names), pa.float64()),
+            }
+        ),
+        "labels": pa.table(interval),
+        "alarms": pa.table({**interval, "starts_at": [10, 22, 0, 1], "ends_at": [22, 50, 9, 2]}),
+        "channel_limits": pa.table(
+            {"asset": ["a", "a", "b"], "channel": ["x", "y", "x"], "hi_limit": [0.5, None, 0.9]}
+        ),
+    }
+    steps = detection_steps(None, by_alarms)
+    expected, found = (run(steps, "detection", given) for run in (on_duckdb, on_sqlite))
+    assert len(found) == 7
+    assert found == expected

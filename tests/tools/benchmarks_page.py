@@ -159,13 +159,13 @@ def rates(recording: Recording, data: Path) -> Iterator[tuple[str, dict[str, Any
 
 def lead(row: dict[str, Any], unit: str, recording: Recording) -> str:
     """Return the lead of the middle label in a unit that suits it."""
-    if row["lead"] is None:
+    if row["lead_time"] is None:
         return "-"
-    length, kind = abs(row["lead"]), TimeKind.COUNTER if unit == "steps" else TimeKind.TIMESTAMP
+    length, kind = abs(row["lead_time"]), TimeKind.COUNTER if unit == "steps" else TimeKind.TIMESTAMP
     if recording.per_second:
         length, kind = 1_000_000 * length // recording.per_second, TimeKind.TIMESTAMP
     steps = " steps" if kind.is_counter else ""
-    return f"{'-' * (row['lead'] < 0)}{spoken(length, kind)}{steps}"
+    return f"{'-' * (row['lead_time'] < 0)}{spoken(length, kind)}{steps}"
 
 
 def table(recording: Recording, data: Path) -> list[str]:

@@ -17,13 +17,13 @@ from gam_db import clock
 from gam_db.arguments import public
 from gam_db.clock import TimeKind
 from gam_db.composing import template
-from gam_db.composing.pipeline import Pipeline, filled
+from gam_db.composing.pipeline import filled
 from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Session
 from gam_db.errors import nearest, wrong
 from gam_db.findings import Row
+from gam_db.lab.evaluation.steps import detection_steps
 from gam_db.lab.evaluation.table import HealthTable, health_table, read_from
-from gam_db.method.adding import add
 from gam_db.reading.preparing import with_times_read
 from gam_db.settings.source import Source, is_file
 
@@ -38,7 +38,7 @@ _LIMITS = pa.schema([("asset", pa.string()), ("channel", pa.string()), ("hi_limi
 
 _LEADS = pa.schema(
     [(name, pa.string()) for name in ("asset", "channel", "event")]
-    + [(name, pa.int64()) for name in ("starts_at", "ends_at", "has_values", "lead")]
+    + [(name, pa.int64()) for name in ("starts_at", "ends_at", "has_values", "lead_time")]
 )
 
 #: Columns for the ends of an interval, the first that tells time as the indicators do: those of a table
@@ -59,11 +59,11 @@ class Detection:
             machines (asset NULL too): asset, channel, counted (values), left_out (values in a margin),
             raised, labelled, hits (both), f1, f1_chance (what as many raised values at a random place in
             time would give), false_alarm_rate, missed_alarm_rate (NULL where they would be 0 / 0),
-            labels (that hold a value), labels_raised, lead (of the middle label that was raised, in
+            labels (that hold a value), labels_raised, lead_time (of the middle label that was raised, in
             microseconds or steps of the counter; negative: a delay).
-        labels: a row per label and channel, or machine: asset, channel, event, starts_at, ends_at (as
-            lead, since 1970; 2^63 - 1 where it has no end), has_values (0 where no value lies in it),
-            lead (NULL where it was not raised).
+        labels: a row per label and channel, or machine: asset, channel, event, starts_at, ends_at (times
+            as lead_time, since 1970; 2^63 - 1: no end), has_values (0 where no value lies in it),
+            lead_time (NULL where it was not raised).
         unmatched: labels that name no asset or channel of the indicators.
         without_limit: channels that have no limit, and so are never raised.
         unit: of leads and times, "microseconds" or "steps".
@@ -144,7 +144,6 @@ def detected(
     margins = clock.length(before, kind, "before"), clock.length(after, kind, "after")
 
     without_limit = 0
-    steps = Pipeline()
     tables = {"indicator": indicator, "labels": session.load(_labels(labelled, *margins))}
     if alarms is None:
         found = _limits(session, health, table, limit, limits)
@@ -152,16 +151,10 @@ def detected(
         if limit is None and not table.limited:
             watched = {(row["asset"], row["channel"]) for row in found if row["hi_limit"] is not None}
             without_limit = len(series - watched)
-        add(steps, "lab/evaluation/raised_by_limit", {"limit": limit}, "raised")
     else:
         rows = _intervals(session, alarms, kind, "alarms")
         tables["alarms"] = session.load(_labels(rows, 0, 0))
-        add(steps, "lab/evaluation/raised_in_alarm", {}, "raised")
-    for name in (
-        *("raised_machines", "timeline", "label_leads"),
-        *("label_counts", "detection_counts", "detection"),
-    ):
-        add(steps, f"lab/evaluation/{name}")
+    steps = detection_steps(limit, by_alarms=alarms is not None)
     for step in _TABLE_STEPS:
         tables[step] = session.keep(step, steps.query(step, tables))
     leads = session.rows(exp.select("*").from_(tables["label_leads"].copy()))
@@ -301,7 +294,7 @@ def _leads(leads: Sequence[Row], labels: Sequence[Row]) -> pa.Table:
             "channel": row["channel"],
             **{name: labels[row["label_no"]][name] for name in ("event", "starts_at", "ends_at")},
             "has_values": row["has_values"],
-            "lead": row["lead"],
+            "lead_time": row["lead_time"],
         }
         for row in leads
     ]

@@ -35,7 +35,7 @@ def _lines(rows: Sequence[Row], kind: TimeKind) -> Iterator[Row]:
         name = "all machines" if row["asset"] is None else printable(row["asset"])
         if row["channel"] is not None:
             name = f"  {printable(row['channel'])}"
-        yield {**row, "name": name, "lead_text": _lead(row["lead"], kind)}
+        yield {**row, "name": name, "lead_text": _lead(row["lead_time"], kind)}
 
 
 def _lead(lead: int | None, kind: TimeKind) -> str | None:

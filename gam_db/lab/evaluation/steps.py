@@ -109,6 +109,25 @@ def evaluation_steps(conventions: Conventions, counts: bool, units: int, reasons
     return steps
 
 
+def detection_steps(limit: float | None, by_alarms: bool) -> Pipeline:
+    """Return the steps from *indicator* and *labels*, which are given, to *detection*.
+
+    Args:
+        limit: a limit for all channels; None for those of *channel_limits*, which is given.
+        by_alarms: whether values are raised in *alarms*, which is given, and not by a limit.
+    """
+    steps = Pipeline(small=frozenset(("label_leads", "label_counts", "detection_counts")))
+    if by_alarms:
+        add(steps, "lab/evaluation/raised_in_alarm", {}, "raised")
+    else:
+        add(steps, "lab/evaluation/raised_by_limit", {"limit": limit}, "raised")
+    for name in ("raised_machines", "timeline", "label_leads"):
+        add(steps, f"lab/evaluation/{name}")
+    for name in ("label_counts", "detection_counts", "detection"):
+        add(steps, f"lab/evaluation/{name}")
+    return steps
+
+
 def _add_series(steps: Pipeline, conventions: Conventions, counts: bool) -> None:
     add(steps, "lab/evaluation/ordered")
     level = "counted_level" if counts else "measured_level"

@@ -6,34 +6,64 @@
 -- Reads:  detection_counts, label_counts
 -- A row:  one channel; with channel NULL one machine; with asset NULL as well all machines. In order.
 SELECT
-  counts.asset AS asset,
-  counts.channel AS channel,
-  counts.counted AS counted,
-  counts.left_out AS left_out,
-  counts.raised AS raised,
-  counts.labelled AS labelled,
-  counts.hits AS hits,
-  CAST(2 * counts.hits AS DOUBLE) / CAST(NULLIF(counts.raised + counts.labelled, 0) AS DOUBLE) AS f1,
-  CAST(2 AS DOUBLE) * CAST(counts.raised AS DOUBLE) * CAST(counts.labelled AS DOUBLE)
-  / (
-    CAST(NULLIF(counts.counted, 0) AS DOUBLE)
-    * CAST(NULLIF(counts.raised + counts.labelled, 0) AS DOUBLE)
-  ) AS f1_chance,
-  CAST(counts.raised - counts.hits AS DOUBLE)
-  / CAST(NULLIF(counts.counted - counts.labelled, 0) AS DOUBLE) AS false_alarm_rate,
-  CAST(counts.labelled - counts.hits AS DOUBLE)
-  / CAST(NULLIF(counts.labelled, 0) AS DOUBLE) AS missed_alarm_rate,
-  COALESCE(events.labels, 0) AS labels,
-  COALESCE(events.labels_raised, 0) AS labels_raised,
-  events.lead AS lead
-FROM detection_counts AS counts
-LEFT JOIN label_counts AS events
-  ON COALESCE(events.asset, '') = COALESCE(counts.asset, '')
-    AND (events.asset IS NULL) = (counts.asset IS NULL)
-    AND COALESCE(events.channel, '') = COALESCE(counts.channel, '')
-    AND (events.channel IS NULL) = (counts.channel IS NULL)
+  asset,
+  channel,
+  counted,
+  left_out,
+  raised,
+  labelled,
+  hits,
+  CAST(2 * hits AS DOUBLE) / CAST(NULLIF(raised + labelled, 0) AS DOUBLE) AS f1,
+  CAST(2 AS DOUBLE) * CAST(raised AS DOUBLE) * CAST(labelled AS DOUBLE)
+  / (CAST(NULLIF(counted, 0) AS DOUBLE) * CAST(NULLIF(raised + labelled, 0) AS DOUBLE)) AS f1_chance,
+  CAST(raised - hits AS DOUBLE) / CAST(NULLIF(counted - labelled, 0) AS DOUBLE) AS false_alarm_rate,
+  CAST(labelled - hits AS DOUBLE) / CAST(NULLIF(labelled, 0) AS DOUBLE) AS missed_alarm_rate,
+  labels,
+  labels_raised,
+  lead_time
+FROM (
+  SELECT
+    asset,
+    channel,
+    CAST(SUM(part.counted) AS BIGINT) AS counted,
+    CAST(SUM(part.left_out) AS BIGINT) AS left_out,
+    CAST(SUM(part.raised) AS BIGINT) AS raised,
+    CAST(SUM(part.labelled) AS BIGINT) AS labelled,
+    CAST(SUM(part.hits) AS BIGINT) AS hits,
+    CAST(SUM(part.labels) AS BIGINT) AS labels,
+    CAST(SUM(part.labels_raised) AS BIGINT) AS labels_raised,
+    MAX(part.lead_time) AS lead_time
+  FROM (
+    SELECT
+      asset,
+      channel,
+      counted,
+      left_out,
+      raised,
+      labelled,
+      hits,
+      0 AS labels,
+      0 AS labels_raised,
+      CAST(NULL AS BIGINT) AS lead_time
+    FROM detection_counts
+    UNION ALL
+    SELECT
+      asset,
+      channel,
+      0 AS counted,
+      0 AS left_out,
+      0 AS raised,
+      0 AS labelled,
+      0 AS hits,
+      labels,
+      labels_raised,
+      lead_time
+    FROM label_counts
+  ) AS part
+  GROUP BY asset, channel
+) AS figures
 ORDER BY
-  CASE WHEN counts.asset IS NULL THEN 1 ELSE 0 END,
-  counts.asset,
-  CASE WHEN counts.channel IS NULL THEN 0 ELSE 1 END,
-  counts.channel
+  CASE WHEN asset IS NULL THEN 1 ELSE 0 END,
+  asset,
+  CASE WHEN channel IS NULL THEN 0 ELSE 1 END,
+  channel

@@ -11,24 +11,25 @@ SELECT
   CAST(SUM(is_labelled) AS BIGINT) AS labelled,
   CAST(SUM(is_labelled * is_raised) AS BIGINT) AS hits
 FROM (
-  SELECT asset, channel, is_raised, is_labelled, is_counted FROM (
-    SELECT
-      asset,
-      channel,
-      is_raised,
-      CASE WHEN labels_on > 0 THEN 1 ELSE 0 END AS is_labelled,
-      CASE WHEN labels_on > 0 OR margins_on = 0 THEN 1 ELSE 0 END AS is_counted
+  SELECT
+    asset,
+    channel,
+    is_raised,
+    CASE WHEN labels_on > 0 THEN 1 ELSE 0 END AS is_labelled,
+    CASE WHEN labels_on > 0 OR margins_on = 0 THEN 1 ELSE 0 END AS is_counted
+  FROM (
+    SELECT asset, channel, is_raised, labels_on, margins_on
     FROM timeline
     WHERE moment = 1
-  ) AS of_series
-  UNION ALL
-  SELECT NULL AS asset, NULL AS channel, is_raised, is_labelled, is_counted FROM (
+    UNION ALL
     SELECT
-      is_raised,
-      CASE WHEN labels_on > 0 THEN 1 ELSE 0 END AS is_labelled,
-      CASE WHEN labels_on > 0 OR margins_on = 0 THEN 1 ELSE 0 END AS is_counted
-    FROM timeline
-    WHERE moment = 1 AND channel IS NULL
-  ) AS of_machines
+      CAST(NULL AS VARCHAR) AS asset,
+      CAST(NULL AS VARCHAR) AS channel,
+      of_machine.is_raised AS is_raised,
+      of_machine.labels_on AS labels_on,
+      of_machine.margins_on AS margins_on
+    FROM timeline AS of_machine
+    WHERE of_machine.moment = 1 AND of_machine.channel IS NULL
+  ) AS of_all
 ) AS marked
 GROUP BY asset, channel

@@ -13,6 +13,6 @@ SELECT
     WHEN value_next > ends_at OR value_next IS NULL THEN NULL
     WHEN raised_since > COALESCE(calm_at, raised_since - 1) THEN time - raised_since
     WHEN raised_next <= ends_at THEN time - raised_next
-  END AS lead
+  END AS lead_time
 FROM timeline
 WHERE label_no IS NOT NULL

@@ -13,14 +13,16 @@ FROM (
       PARTITION BY asset, channel ORDER BY time, moment ROWS UNBOUNDED PRECEDING
     ) AS alarms_on
   FROM (
-    SELECT asset, channel, time, 1 AS moment, 0 AS change FROM indicator WHERE hi IS NOT NULL
+    SELECT asset, channel, time, 1 AS moment, 0 AS change
+    FROM indicator
+    WHERE hi IS NOT NULL
     UNION ALL
-    SELECT named.asset, named.channel, alarm.starts_at AS time, 0 AS moment, 1 AS change
+    SELECT named.asset AS asset, named.channel AS channel, alarm.starts_at AS time, 0 AS moment, 1 AS change
     FROM alarms AS alarm
     JOIN (SELECT DISTINCT asset, channel FROM indicator) AS named
       ON named.asset = alarm.asset AND COALESCE(alarm.channel, named.channel) = named.channel
     UNION ALL
-    SELECT named.asset, named.channel, alarm.ends_at AS time, 2 AS moment, -1 AS change
+    SELECT named.asset AS asset, named.channel AS channel, alarm.ends_at AS time, 2 AS moment, -1 AS change
     FROM alarms AS alarm
     JOIN (SELECT DISTINCT asset, channel FROM indicator) AS named
       ON named.asset = alarm.asset AND COALESCE(alarm.channel, named.channel) = named.channel

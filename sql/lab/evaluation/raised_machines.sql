@@ -7,23 +7,29 @@ FROM raised
 UNION ALL
 SELECT
   asset,
-  NULL AS channel,
+  CAST(NULL AS VARCHAR) AS channel,
   time,
   CASE WHEN channels_raised > 0 THEN 1 ELSE 0 END AS is_raised
 FROM (
   SELECT
     asset,
     time,
-    SUM(SUM(change)) OVER (PARTITION BY asset ORDER BY time) AS channels_raised
+    SUM(channels_more) OVER (PARTITION BY asset ORDER BY time ROWS UNBOUNDED PRECEDING) AS channels_raised
   FROM (
     SELECT
       asset,
       time,
-      is_raised - COALESCE(
-        LAG(is_raised, 1) OVER (PARTITION BY asset, channel ORDER BY time),
-        0
-      ) AS change
-    FROM raised
+      SUM(is_raised - CASE WHEN value_no > 1 THEN raised_before ELSE 0 END) AS channels_more
+    FROM (
+      SELECT
+        asset,
+        channel,
+        time,
+        is_raised,
+        LAG(is_raised, 1) OVER (PARTITION BY asset, channel ORDER BY time) AS raised_before,
+        CAST(ROW_NUMBER() OVER (PARTITION BY asset, channel ORDER BY time) AS BIGINT) AS value_no
+      FROM raised
+    ) AS lagged
+    GROUP BY asset, time
   ) AS changes
-  GROUP BY asset, time
 ) AS machines
