@@ -56,7 +56,9 @@ def alarms(
     overview = {"episodes": rows, "limits": promised(judged), "needs_attention": urgent}
 
     def sections() -> Iterator[Section]:
-        count = number_of(len(rows), "episode") if rows else "no signal was ever raised"
+        watched = any(row["reason"] is None or row["basis"] == "indicator" for row in judged)
+        none = "no signal was ever raised" if watched else "no signal is watched, so none can be raised"
+        count = number_of(len(rows), "episode") if rows else none
         yield f"{heading(settings)}: {count}"
         yield from limit_lines(judged)
         yield from _episodes(common.of(rows, _SHOWN), shown_in)
@@ -240,7 +242,8 @@ def limit_lines(rows: Sequence[Row]) -> Iterator[str]:
         count = number_of(promise["basis"]["none"], "channel")
         yield f"{count} without a stated rate; they are judged all the same"
     for reason, count in sorted(promise["withheld"].items()):
-        yield f"{number_of(count, 'channel')} without a limit: {reason}"
+        words = WORDS["no_limit"].get(reason, reason)
+        yield f"{number_of(count, 'channel')} without a limit: {words}"
     if indicated := sum(row["basis"] == "indicator" for row in rows):
         yield f"{number_of(indicated, 'channel')} judged by the health indicator, without a stated rate"
 

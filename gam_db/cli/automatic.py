@@ -18,6 +18,8 @@ def lines(siblings: Sequence[Siblings], everything: bool = False) -> Iterator[st
             parts.append(f"tau {of.tau}, {reason(of)}")
         if "window" in of.setting.open_settings:
             parts.append(f"window {of.window:,}, a twentieth of calibration")
+        for m, count in sorted(of.lower.items()):
+            parts.append(f"m {m} for {count:,}, because calibration is too short for m {of.setting.m}")
         if parts:
             name = printable(of.name) if of.name else "channels with a name of their own"
             yield f"chosen for {name} ({len(of.channels):,}): {'; '.join(parts)}"
@@ -59,6 +61,7 @@ def figures(siblings: Sequence[Siblings]) -> list[Row]:
             "tau": of.tau,
             "window": of.window,
             "scores": of.scores,
+            "lower": of.lower,
         }
         for of in siblings
     ]

@@ -242,7 +242,10 @@ def _check_state(
             yield f"gam score --from {shown_instant(min(sinces), kind)} scores them again"
         if any(row["part"] == "calibration" for row in rows):
             yield "gam calibrate --again makes new versions from the calibration as it is now"
-        if any(row["part"] not in _MENDED and row["since"] is None for row in rows):
+        parts = {row["part"] for row in rows if row["since"] is None}
+        if "source" in parts:
+            yield texts["unseen"]
+        if not parts <= {"source", *_MENDED}:
             yield texts["damaged"]
         yield from (f"  {_left(row)}" for row in common.of(apart))
         yield from page.cut(apart, common.everything)

@@ -87,7 +87,11 @@ def _proof(proof: Proof | None, now: dt.datetime) -> str:
         return "the state was never compared with its source; run gam check --state"
     age = instant(now, TimeKind.TIMESTAMP, "now") - proof.proved_at
     ago = shown_length(age, TimeKind.TIMESTAMP)
-    outcome = f"{proof.differences:,} differences" if proof.differences else "no difference"
+    outcome = (
+        f"{proof.differences:,} differences"
+        if proof.differences
+        else "no difference, as far as its rows were still there"
+    )
     return f"the state was last compared with its source {ago} ago: {outcome} (gam check --state)"
 
 

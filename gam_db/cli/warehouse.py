@@ -14,13 +14,13 @@ from gam_db.cli.job import watched
 from gam_db.cli.options import argument, option
 from gam_db.clock import TimeKind
 from gam_db.engines import NAMES, engine_named
-from gam_db.engines.connecting import connect
+from gam_db.engines.connecting import connect, engine_of
 from gam_db.errors import ConfigurationError, unwritable, wrong
 from gam_db.export import Package, write
 from gam_db.export import grafana as dashboards
 from gam_db.export.models import ADAPTERS
 from gam_db.export.monitor import rendered
-from gam_db.export.script import render
+from gam_db.export.script import render, tells_calendar
 from gam_db.method.parts import parts_of
 from gam_db.reading import look
 from gam_db.reading.guess import SourceSettings, guess
@@ -33,6 +33,11 @@ Form = Literal["exact", "view", "monitor"]
 UNPROBED = (
     "This SQL leaves out the probe: a channel with the verdict ready may still not show a change. "
     "Add the probe with --without nothing, or see it in gam run."
+)
+#: What a script assumes of a table that gam does not see.
+ASSUMED = (
+    "The script takes {time} for an integer counter, since gam does not see the table: give "
+    "--time-kind timestamp if it is not one, or --database."
 )
 
 
@@ -65,7 +70,7 @@ def compile(
         about = dataclasses.replace(about, schema=schema, prefix=prefix)
         _write(_run_of(dataclasses.replace(settings, monitor=about), engine), out)
         return
-    engine = "duckdb" if engine is None else engine
+    engine = engine_of(settings.source.database) if engine is None else engine
     parameters, calibration = settings.method()
     if settings.source.database is None and engine_named(engine).reads_files:
         located = dataclasses.replace(settings.source, relation=as_folder(settings.source.relation))
@@ -78,6 +83,9 @@ def compile(
     printed = parts_of(parameters, parts) if form == "view" else []
     if "certificate" in printed and "probe" not in printed:
         print(f"gam: {UNPROBED}", file=sys.stderr)
+    is_seen = settings.source.database is not None or is_file(source.relation)
+    if not (is_seen or source.time_kind or tells_calendar(parameters, calibration)):
+        print(f"gam: {ASSUMED.format(time=source.time)}", file=sys.stderr)
 
 
 def _run_of(settings: Settings, engine: str | None) -> str:
@@ -155,7 +163,7 @@ export = typer.Typer(
 def dbt(
     settings: Settings,
     folder: Path = argument("dbt.folder"),
-    engine: str = option("dbt.engine", "duckdb", names=", ".join(ADAPTERS)),
+    engine: str | None = option("dbt.engine", names=", ".join(ADAPTERS)),
     schema: str | None = option("dbt.schema"),
     without: list[str] | None = option("dbt.without"),
 ) -> None:
@@ -165,6 +173,7 @@ def dbt(
     --database); otherwise they are asset, channel, time and value unless you name them. Calibration must
     be fixed: closed intervals, by --calibrate or in gam.toml. Files of an earlier export are replaced.
     """
+    engine = engine_of(settings.source.database) if engine is None else engine
     settings.source.check_conditions(engine_named(engine))
     parameters, calibration = settings.method()
     monitor = settings.monitor

@@ -113,8 +113,8 @@ class Engine:
     #: that it tells an instant.
     comparable: str = "{column}"
     dated: str = "{column} BETWEEN TIMESTAMP '1900-01-01 00:00:00' AND TIMESTAMP '2200-01-01 00:00:00'"
-    #: What a script begins with that stops it where sessions read the time column each in its zone.
-    guard: Callable[[exp.Table, str], exp.Expr] | None = None
+    #: What a script begins with that stops it where the time column has a type that it was not made for.
+    guard: Callable[[exp.Table, str, TimeKind], exp.Expr] | None = None
     #: Whether a text tells a time with its zone; None where no column of text tells time.
     zoned: Rewrite | None = None
     #: Conditions on a column of times, where its own order is not that of the instants.

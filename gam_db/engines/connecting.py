@@ -84,6 +84,12 @@ def connect(
     return _opened(_SCHEMES[scheme], address, writable)
 
 
+def engine_of(address: str | None) -> str:
+    """Return the name of the engine of an address; DuckDB where there is none, or a path."""
+    scheme, separator, _ = (address or "").partition("://")
+    return _SCHEMES.get(scheme.partition("+")[0], "duckdb") if separator else "duckdb"
+
+
 @contextlib.contextmanager
 def borrowed(engine: Any, threads: int | None = None) -> Iterator[Session]:
     """Yield a session for reading: the caller's, which stays open, or one that is closed afterwards.

@@ -114,10 +114,11 @@ def render(
     begin = chosen.beginning()
     if (
         chosen.guard is not None
-        and not (kind.is_counter or kind.has_zone)
+        and not (kind.is_counter and is_sure)
+        and not kind.has_zone
         and isinstance(relation, exp.Table)
     ):
-        begin += f"{chosen.text(chosen.guard(relation, source.time))};\n"
+        begin += f"{chosen.text(chosen.guard(relation, source.time, kind))};\n"
 
     def place(name: str) -> exp.Table:
         table = exp.to_table(f"{prefix}{name}")
@@ -269,11 +270,16 @@ def _looked_at(
     node = table_names(relation)[0]
     if declared is not None:
         return source, declared, True, node, None
+    calendar = tells_calendar(parameters, calibration)
+    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar, node, None
+
+
+def tells_calendar(parameters: Parameters, calibration: Calibration) -> bool:
+    """Tell whether a setting can only mean a calendar, as the time column then does."""
     pairs = (*(calibration.intervals or ()), *calibration.exclude)
     times = [calibration.duration, calibration.score_from, *(end for pair in pairs for end in pair)]
     times += [variant.max_gap for variant in parameters.variants()]
-    calendar = any(value is not None and looks_like_calendar(value) for value in times)
-    return source, TimeKind.TIMESTAMP if calendar else TimeKind.COUNTER, calendar, node, None
+    return any(value is not None and looks_like_calendar(value) for value in times)
 
 
 def _described(parameters: Parameters) -> str:

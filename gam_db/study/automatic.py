@@ -43,6 +43,7 @@ class Siblings:
         setting: as the user gave it.
         channels: rows of *channels* with what *bounds* has of each.
         scores: delay -> mean score of the channels that were looked at.
+        lower: dimension below the given one -> channels whose calibration is too short for more.
     """
 
     name: str
@@ -51,6 +52,7 @@ class Siblings:
     tau: int = 1
     window: int = 0
     scores: dict[int, int] = field(default_factory=dict)
+    lower: dict[int, int] = field(default_factory=dict)
 
     @property
     def thinning(self) -> int:
@@ -208,6 +210,8 @@ class Choosing:
             passing = self.scores(setting, of_set, less, wanted, has_probe=False)
             for unit, unit_scores in passing.items():
                 self._take(chosen, unit, setting, m=less, tau=1, bins=grids[min(unit_scores[1])])
+                family, members = units[unit]
+                family.lower[less] = family.lower.get(less, 0) + len(members)
             failing = [unit for unit in failing if unit not in passing]
         usual = Counter(of["bins"] for of in chosen.values() if "bins" in of)
         commonest = max(usual, key=lambda bins: (usual[bins], bins), default=grids[-1])

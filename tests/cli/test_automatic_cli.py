@@ -1,6 +1,7 @@
 """What calibration chooses, at the command line: which, why, and frozen as numbers."""
 
 import json
+import random
 import tomllib
 from pathlib import Path
 
@@ -40,6 +41,16 @@ def test_a_run_says_what_was_chosen() -> None:
     assert "chosen bins: 128 for 1, 16 for 1" in words
     (chosen,) = json.loads(gam("run", "plant.csv", *OPEN, "--no-out", "--json").stdout)["chosen"]
     assert (chosen["tau"], chosen["window"], chosen["scores"]["1"]) == (2, 75, 911)
+
+
+def test_a_run_says_where_the_dimension_is_less() -> None:
+    noise = random.Random(1)
+    lines = ["time,value", *(f"{i},{noise.gauss():.4f}" for i in range(2050))]
+    Path("short.csv").write_text("\n".join(lines) + "\n")
+    words = " ".join(gam("run", "short.csv", *OPEN[:6], "--no-out").stdout.split())
+    assert "m 2 for 1, because calibration is too short for m 3" in words
+    (chosen,) = json.loads(gam("run", "short.csv", *OPEN[:6], "--no-out", "--json").stdout)["chosen"]
+    assert chosen["lower"] == {"2": 1}
 
 
 def test_a_version_is_frozen_with_numbers_and_the_words_are_no_other_setting() -> None:

@@ -208,11 +208,22 @@ def test_a_script_stops_at_a_column_that_sessions_show_in_their_zone(autumn: Any
     assert "gam_live_channels" not in str(asked(autumn, "SHOW TABLES"))
 
 
+@pytest.mark.parametrize("table", ["shown", "plain"])
+def test_a_script_for_a_counter_that_is_assumed_stops_at_calendar_time(autumn: Any, table: str) -> None:
+    """Else its casts make numbers such as 20261025080000 of the times."""
+    done = sent(gam_db.render("view", "mariadb", gam_db.Source(table, None, None, "ts")), "utf8mb4")
+    assert done.returncode == 1
+    assert "ts is no counter; make the script anew with --time-kind timestamp" in done.stderr
+    assert "gam_live_channels" not in str(asked(autumn, "SHOW TABLES"))
+
+
 def test_the_database_says_of_what_kind_the_column_is(autumn: Any) -> None:
     words = ["--engine", "mariadb", "--database", mariadb_server.server(), "--no-asset", "--no-channel"]
     for table, kind in (("shown", "timestamp with time zone"), ("plain", "timestamp")):
         done = CliRunner().invoke(app, ["compile", table, *words, "--time", "ts", "--value", "value"])
         assert f"-- Time: {kind}." in done.output
+        named = [*words[2:], "--time", "ts", "--value", "value"]
+        assert CliRunner().invoke(app, ["compile", table, *named]).output == done.output
 
 
 def test_dates_that_tell_no_instant_are_named_and_left_out(autumn: Any) -> None:

@@ -1,5 +1,6 @@
 """``gam compile``: the script of the library, from the command line."""
 
+import sqlite3
 from pathlib import Path
 
 import duckdb
@@ -130,3 +131,21 @@ def test_a_script_without_the_probe_is_said_not_to_ask_what_would_be_seen() -> N
         found = invoke("telemetry", "--time-kind", "counter", *words)
         assert found.exit_code == 0
         assert ("may still not show a change" in " ".join(found.stderr.split())) == is_unprobed
+
+
+def test_the_engine_of_the_database_is_the_default(tmp_path: Path) -> None:
+    path = tmp_path / "plant.db"
+    with sqlite3.connect(path) as connection:
+        connection.execute("CREATE TABLE telemetry (asset TEXT, channel TEXT, time INTEGER, value REAL)")
+    address = f"sqlite:///{path}"
+    made = invoke("telemetry", "--database", address)
+    assert made.exit_code == 0, made.output
+    assert made.stdout == invoke("telemetry", "--database", address, "--engine", "sqlite").stdout
+    assert made.stdout != invoke("telemetry", "--database", address, "--engine", "duckdb").stdout
+
+
+def test_what_is_assumed_of_a_table_that_nobody_sees_is_said() -> None:
+    assumed = "takes ts for an integer counter"
+    assert assumed in invoke("telemetry", "--time", "ts").stderr
+    for words in (["--time-kind", "counter"], ["--calibration-duration", "3 d"]):
+        assert assumed not in invoke("telemetry", "--time", "ts", *words).stderr

@@ -138,9 +138,12 @@ def test_values_above_a_limit_are_compared_with_labels(
     matching = [row for row in labels if any(row.holds(*series, row.start) for series in named)]
     if not matching or not any(raised.values()):
         return
-    found = gam_db.detection(health_of(values), table_of(labels), limit=0.2, before=before, after=after)
+    everything, labels = labels, matching
+    found = gam_db.detection(
+        health_of(values), table_of(everything), limit=0.2, before=before, after=after
+    )
     check(found, *expected(raised, labels, before, after))
-    assert found.unmatched == len(labels) - len(matching)
+    assert found.unmatched == len(everything) - len(matching)
     assert found.unit == "steps"
 
 
@@ -159,11 +162,11 @@ def test_values_in_an_alarm_are_compared_with_labels(
         for series, of in values.items()
     }
     named = {series for series, of in values.items() if of}
-    if not any(row.holds(*series, row.start) for row in labels for series in named):
-        return
-    if not any(raised.values()):
+    matching = [row for row in labels if any(row.holds(*series, row.start) for series in named)]
+    if not matching or not any(raised.values()):
         return
     found = gam_db.detection(health_of(values), table_of(labels), alarms=table_of(alarms))
+    labels = matching
     check(found, *expected(raised, labels, 0, 0))
 
 
@@ -183,6 +186,8 @@ def test_chance_is_the_mean_over_all_places_in_time() -> None:
 
 HEALTH = pa.table({"asset": ["a"] * 3, "channel": ["x"] * 3, "time": [1, 2, 3], "hi": [0.1, 0.4, 0.9]})
 LABELS = pa.table({"asset": ["a"], "start": [2], "end": [3], "event": ["worn"]})
+TWICE = pa.concat_tables([HEALTH, HEALTH])
+EMPTY = HEALTH.set_column(3, "hi", pa.nulls(3, pa.float64()))
 
 
 def test_limits_of_channels() -> None:
@@ -210,9 +215,55 @@ def test_the_support_file_beside_the_indicators(tmp_path: Path) -> None:
 
 def test_episodes_are_alarms() -> None:
     """What gam_db.episodes returns is read as it is."""
-    alarms = pa.table({"asset": ["a"], "channel": ["x"], "first_time": [3], "last_time": [3]})
+    alarms = pa.table({"asset": ["a"], "channel": ["x"], "first_time": [2], "last_time": [2]})
     (machine, *_) = gam_db.detection(HEALTH, LABELS, alarms=alarms).rates.to_pylist()
-    assert (machine["raised"], machine["hits"], machine["lead_time"]) == (1, 1, -1)
+    assert (machine["raised"], machine["hits"], machine["lead_time"]) == (1, 1, 0)
+    dated = alarms.append_column("last_tick", alarms["last_time"]).set_column(
+        3, "last_time", pa.nulls(1, pa.timestamp("us"))
+    )
+    assert gam_db.detection(HEALTH, LABELS, alarms=dated).rates.to_pylist()[0]["raised"] == 1
+    for more, raised in (
+        ({"is_open": [0]}, 1),
+        ({"is_open": [1]}, 2),
+        ({"status": ["open"]}, 2),
+        ({"status": ["withdrawn"]}, 0),
+    ):
+        ((name, values),) = more.items()
+        table = alarms.append_column(name, pa.array(values))
+        assert gam_db.detection(HEALTH, LABELS, alarms=table).rates.to_pylist()[0]["raised"] == raised
+
+
+def test_alarms_of_other_machines_are_counted() -> None:
+    alarms = pa.table({"asset": ["A"], "start": [3], "end": [3]})
+    assert gam_db.detection(HEALTH, LABELS, alarms=alarms).alarms_unmatched == 1
+
+
+def test_given_limits_come_before_those_of_the_table() -> None:
+    own = HEALTH.append_column("hi_limit", pa.array([0.3] * 3))
+    limits = pa.table({"asset": ["a"], "channel": ["x"], "hi_limit": [0.8]})
+    assert gam_db.detection(own, LABELS, limits=limits).rates.to_pylist()[0]["raised"] == 1
+    assert gam_db.detection(own, LABELS, limit=2).rates.to_pylist()[0]["raised"] == 0
+    none = HEALTH.append_column("hi_limit", pa.nulls(3, pa.float64()))
+    assert gam_db.detection(none, LABELS).without_limit == 1
+
+
+def test_labels_without_any_end() -> None:
+    for ends in (pa.nulls(1), pa.array([None], pa.string()), pa.array([None], pa.float64())):
+        labels = LABELS.set_column(2, "end", ends)
+        assert gam_db.detection(HEALTH, labels, limit=0.3).rates.to_pylist()[0]["labelled"] == 2
+
+
+def test_text_files_are_read_as_they_are_written(tmp_path: Path) -> None:
+    """Names are no numbers, and both ends of a label are read by all their words."""
+    hours = [dt.datetime(2026, 1, 1) + dt.timedelta(hours=hour) for hour in range(24)]
+    names = {"asset": ["1e3"] * 24, "channel": ["12:30"] * 24}
+    health = pa.table({**names, "time": hours, "hi": [1.0] * 24})
+    lines = ["1e3,12:30,2025-12-01 00:00:00,2025-12-01 06:00:00"] * 30_000
+    lines.append("1e3,12:30,2026-01-01 03:00:00+01:00,2026-01-01 06:00:00+02:00")
+    path = tmp_path / "labels.csv"
+    path.write_text("asset,CHANNEL,Start,end\n" + "\n".join(lines) + "\n")
+    found = gam_db.detection(health, str(path), limit=0.5)
+    assert found.rates.to_pylist()[0]["labelled"] == 3  # from 02:00 to 04:00 UTC
 
 
 def changed(column: str, values: Any) -> pa.Table:
@@ -234,6 +285,10 @@ def changed(column: str, values: Any) -> pa.Table:
         (LABELS, {"limit": None}, "no support file"),
         (LABELS, {"limit": None, "limits": LABELS}, "limits has no column 'channel'"),
         (LABELS, {"before": "soon"}, "before is 'soon'"),
+        (LABELS.drop_columns("end"), {}, r"'end' of the labels \(missing\)"),
+        (LABELS, {"limit": float("nan")}, "limit is nan"),
+        (LABELS, {"limit": True}, "limit is True"),
+        (LABELS, {"alarms": LABELS}, "exclude each other"),
         (LABELS, {"after": -1}, "after is -1"),
     ],
 )
@@ -241,6 +296,19 @@ def test_what_cannot_be_compared_is_refused(labels: pa.Table, given: dict[str, A
     with pytest.raises(UserError, match=words) as caught:
         gam_db.detection(HEALTH, labels, **{"limit": 0.3, **given})
     assert len(str(caught.value)) <= 300
+
+
+def test_a_single_event_may_be_a_text() -> None:
+    assert gam_db.detection(HEALTH, LABELS, limit=0.3, events="worn").rates.num_rows == 3
+
+
+@pytest.mark.parametrize(
+    ("health", "words"),
+    [(TWICE, "several values at one place"), (EMPTY, "has no value yet")],
+)
+def test_indicators_that_tell_nothing_are_refused(health: pa.Table, words: str) -> None:
+    with pytest.raises(UserError, match=words):
+        gam_db.detection(health, LABELS, limit=0.3)
 
 
 def test_indicators_without_time_are_refused() -> None:

@@ -79,7 +79,8 @@ def lead(values: Sequence[tuple[int, bool]], label: Interval) -> tuple[bool, int
         since = at
     if since is None:
         since = next((at for at, flag in inside if flag), None)
-    return True, None if since is None else label.start - since
+    start = label.start if earlier else inside[0][0]
+    return True, None if since is None else start - since
 
 
 def rates(figures: tuple[int, int, int, int, int]) -> tuple[Fraction | None, ...]:

@@ -407,7 +407,8 @@ def test_whatever_is_wrong_in_what_channels_share_is_found(engine: str) -> None:
             if not found_by_command(monitor):
                 missed.add((table, column))
             put_back(monitor, table, rows)
-    assert missed == {place for place in MAY_DIFFER if place[0] in SHARED}
+    whole = {(table, column) for table, column, _ in columns() if table in SHARED}
+    assert missed == whole.intersection(MAY_DIFFER)
     for table in ("monitor", "channel", "version", "episode", "label"):
         rows = stored(monitor, table)
         for spoilt in (rows.slice(0, len(rows) - 1), pa.concat_tables([rows, rows])):

@@ -42,8 +42,8 @@ class Recording:
         return [word for event in self.events for word in ("--event", event)] + list(self.margins)
 
 
-#: Signals are chosen by what they measure, before any result: events of a robot arm load its joints, a
-#: seal holds pressure, and FS1 measures the flow of the pump.
+#: The signals that measure what fails: events of a robot arm load its joints, a seal holds pressure, and
+#: FS1 is the flow of the pump.
 _JOINTS = "channel LIKE 'Current%' OR channel LIKE 'Speed%'"
 _PRESSURES = "channel LIKE 'PG%'"
 _FLOW = "channel = 'FS1'"
@@ -151,6 +151,7 @@ def rates(recording: Recording, data: Path) -> Iterator[tuple[str, dict[str, Any
         ("alarms of gam-db", ("gam_health", "--alarms", "alarm")),
         ("indicator above its limit", ("gam_health",)),
         ("moving z-score", ("z_score",)),
+        ("always raised", ("gam_health", "--limit", "-1")),
     ):
         found = _gam("evaluate", *words, *database, *labels)
         (total,) = (row for row in found["rates"] if row["asset"] is None)

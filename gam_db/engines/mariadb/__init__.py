@@ -5,6 +5,7 @@ from functools import partial
 from sqlglot import exp
 
 from gam_db import data
+from gam_db.clock import TimeKind
 from gam_db.composing import template
 from gam_db.engines.base import Engine, called, settings
 from gam_db.engines.rewrites import compare_by_bytes, escape_by_backslash
@@ -47,18 +48,25 @@ _OF_SESSION = (
     "{column} is a TIMESTAMP, which each session reads in its own zone; make the script anew with "
     "--time-kind 'timestamp with time zone'"
 )
+_OF_CALENDAR = (
+    "{column} is no counter; make the script anew with --time-kind timestamp, or for a TIMESTAMP "
+    "'timestamp with time zone'"
+)
 
 
-def guard(table: exp.Table, column: str) -> exp.Expr:
-    """Return what stops a script whose time column is a TIMESTAMP.
+def guard(table: exp.Table, column: str, kind: TimeKind) -> exp.Expr:
+    """Return what stops a script whose time column is of another type than the script was made for.
 
-    Cause: it is shown in the zone of the session. Symptom: a view gives other rows to a reader in
-    another zone than the one in which its tables were made.
+    Cause: a TIMESTAMP is shown in the zone of the session, and a cast to an integer makes digits of a
+    calendar time. Symptom: a view gives other rows to a reader in another zone than the one in which
+    its tables were made; times such as 20261025080000.
     """
     schema = template.text(table.db) if table.db else called("DATABASE")
     slots: dict[str, template.Slot] = {"schema": schema, "column": template.text(column)}
-    query = template.fill("export/timestamp_columns", {**slots, "table": template.text(table.name)})
-    message = template.text(_OF_SESSION.format(column=column))
+    slots |= {"table": template.text(table.name), "is_counter": int(kind.is_counter)}
+    query = template.fill("export/timestamp_columns", slots)
+    words = _OF_CALENDAR if kind.is_counter else _OF_SESSION
+    message = template.text(words.format(column=column))
     texts = [node.sql(dialect="mysql") for node in (query, message)]
     body = template.text(_BLOCK.format(*texts)).sql(dialect="mysql")
     return exp.Command(this="EXECUTE", expression=f"IMMEDIATE {body}")

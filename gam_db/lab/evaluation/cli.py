@@ -249,7 +249,7 @@ def evaluate(
 
 def _refuse_without_labels(**given: object) -> None:
     for name, value in given.items():
-        if value:
+        if value is not None:
             raise wrong("needs_labels", name=f"--{name}")
 
 

@@ -5,6 +5,8 @@ are those that the literature on anomaly detection uses: F1, false-alarm rate an
 values, and the lead of each event.
 """
 
+import math
+import numbers
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,14 +18,16 @@ from sqlglot import exp
 from gam_db import clock
 from gam_db.arguments import public
 from gam_db.clock import TimeKind
+from gam_db.columns import name_of
 from gam_db.composing import template
 from gam_db.composing.pipeline import filled
 from gam_db.engines.connecting import borrowed
 from gam_db.engines.session import Session
 from gam_db.errors import nearest, wrong
 from gam_db.findings import Row
-from gam_db.lab.evaluation.steps import detection_steps
-from gam_db.lab.evaluation.table import HealthTable, health_table, read_from
+from gam_db.lab.evaluation.members import check_rows
+from gam_db.lab.evaluation.steps import detection_steps, looking_steps
+from gam_db.lab.evaluation.table import HealthTable, health_table, is_empty, read_from
 from gam_db.reading.preparing import with_times_read
 from gam_db.settings.source import Source, is_file
 
@@ -64,7 +68,8 @@ class Detection:
         labels: a row per label and channel, or machine: asset, channel, event, starts_at, ends_at (times
             as lead_time, since 1970; 2^63 - 1: no end), has_values (0 where no value lies in it),
             lead_time (NULL where it was not raised).
-        unmatched: labels that name no asset or channel of the indicators.
+        unmatched: labels that name no asset or channel of the indicators; they count nowhere.
+        alarms_unmatched: alarms that name none.
         without_limit: channels that have no limit, and so are never raised.
         unit: of leads and times, "microseconds" or "steps".
     """
@@ -72,6 +77,7 @@ class Detection:
     rates: pa.Table
     labels: pa.Table
     unmatched: int
+    alarms_unmatched: int
     without_limit: int
     unit: str
 
@@ -98,15 +104,16 @@ def detection(
 
     Args:
         health: as for :func:`gam_db.evaluate`; it must tell time.
-        labels: a relation with the columns asset, start, and optionally channel (NULL: all channels),
-            end (NULL: no end) and event. Both ends belong to the label.
+        labels: a relation with the columns asset, start, end (NULL: no end), and optionally channel
+            (NULL: all channels) and event. Both ends belong to the label; a date is its first instant.
         engine: None for DuckDB in memory, the path of a DuckDB file, or an open DuckDB connection.
         events: the events that count; none: all labels.
         limit: a limit for all channels.
         limits: a relation with the columns asset, channel and hi_limit, such as the support table that
             gam run writes. Default: the column hi_limit of ``health``, else the support file beside it.
-        alarms: a relation like ``labels``, or what :func:`gam_db.episodes` returns: values are raised in
-            these intervals instead.
+        alarms: a relation like ``labels``, the view gam_alarm, or what :func:`gam_db.episodes` returns:
+            values are raised in these intervals instead. An open episode has no end, and a withdrawn
+            one does not count; an episode counts from the start of the judgement that opened it.
         before: a length of time before a label in which values count neither way.
         after: the same after a label.
         threads: processor threads; None leaves DuckDB's own choice.
@@ -130,29 +137,43 @@ def detected(
     after: Any = 0,
 ) -> Detection:
     """Compare in an open session; see :func:`detection`."""
+    if sum(given is not None for given in (limit, limits, alarms)) > 1:
+        raise wrong("raised_by_one")
+    if limit is not None:
+        limit = _finite(limit)
+    nodes = {
+        what: session.relation(given)
+        for what, given in (("labels", labels), ("alarms", alarms))
+        if given is not None
+    }
     table = health_table(session, health)
     if table.kind is None:
         raise wrong("detection_without_time")
     kind = table.kind
     indicator = session.keep("indicator", table.indicator)
-    pairs = session.fetch(exp.select("asset", "channel").distinct().from_(indicator.copy()))
-    series = {(row["asset"], row["channel"]) for row in pairs.to_pylist()}
-    labelled = _chosen(_intervals(session, labels, kind, "labels"), events)
-    unmatched = sum(not _matches(row, series) for row in labelled)
-    if unmatched == len(labelled):
-        raise wrong("no_label_matches", labels=len(labelled))
+    candidates = session.rows(
+        looking_steps(table.indicator).query("candidates", {"indicator": indicator})
+    )
+    check_rows(candidates, table)
+    if not any(row["hi_values"] for row in candidates):
+        raise wrong("no_value_yet")
+    series = {(row["asset"], row["channel"]) for row in candidates}
+    chosen = _chosen(_intervals(session, labels, nodes["labels"], kind, "labels"), events)
+    labelled = [row for row in chosen if _matches(row, series)]
+    if not labelled:
+        raise wrong("no_label_matches", labels=len(chosen))
     margins = clock.length(before, kind, "before"), clock.length(after, kind, "after")
 
-    without_limit = 0
+    without_limit = alarms_unmatched = 0
     tables = {"indicator": indicator, "labels": session.load(_labels(labelled, *margins))}
     if alarms is None:
         found = _limits(session, health, table, limit, limits)
         tables["channel_limits"] = session.load(pa.Table.from_pylist(found, _LIMITS))
-        if limit is None and not table.limited:
-            watched = {(row["asset"], row["channel"]) for row in found if row["hi_limit"] is not None}
-            without_limit = len(series - watched)
+        watched = {name_of(row) for row in (*found, *candidates) if row["hi_limit"] is not None}
+        without_limit = 0 if limit is not None else len(series - watched)
     else:
-        rows = _intervals(session, alarms, kind, "alarms")
+        rows = _intervals(session, alarms, nodes["alarms"], kind, "alarms")
+        alarms_unmatched = sum(not _matches(row, series) for row in rows)
         tables["alarms"] = session.load(_labels(rows, 0, 0))
     steps = detection_steps(limit, by_alarms=alarms is not None)
     for step in _TABLE_STEPS:
@@ -161,45 +182,67 @@ def detected(
     return Detection(
         session.fetch(steps.query("detection", tables)),
         _leads(leads, labelled),
-        unmatched,
+        len(chosen) - len(labelled),
+        alarms_unmatched,
         without_limit,
         "steps" if kind.is_counter else "microseconds",
     )
 
 
-def _intervals(session: Session, relation: Any, kind: TimeKind, what: str) -> list[Row]:
+def _finite(limit: object) -> float:
+    """Return a limit as a number.
+
+    Raises:
+        ParameterError: it is none.
+    """
+    if isinstance(limit, numbers.Real) and not isinstance(limit, bool) and math.isfinite(limit):
+        return float(limit)
+    raise wrong("limit_of_all", limit=limit)
+
+
+def _intervals(session: Session, relation: Any, node: exp.Expr, kind: TimeKind, what: str) -> list[Row]:
     """Return the rows of a table of labels or alarms.
 
     Raises:
         SourceError: a column is missing or of the wrong type, or a row has no asset or start.
     """
-    node = session.relation(relation)
-    columns = session.describe(node)
+    columns = {name.lower(): (name, of) for name, of in session.describe(node).items()}
     if "asset" not in columns:
         raise wrong("intervals_without_asset", what=what, hint=nearest("asset", columns))
+    words = {columns[name][0]: "VARCHAR" for name in ("asset", "channel", "event") if name in columns}
+    node = session.engine.retyped(node, words)  # a name is read as it is written
+    types = session.describe(node)
     slots: dict[str, template.Slot] = {
-        name: template.column(name) if name in columns else None
-        for name in ("asset", "channel", "event")
+        name: template.column(columns[name][0]) if name in columns else None
+        for name in ("asset", "channel", "event", "status", "is_open")
     }
+    rows: list[Row] = []
     for slot, names in _ENDS.items():
-        slots[slot] = None
-        time = _time_column(session, columns, names, kind)
-        if time is not None:
-            name, found = time
-            node = with_times_read(session, Source(relation, None, None, name, name), columns, node)
-            slots[slot] = session.engine.micros_of(found, template.column(name))
-        elif slot == "start" or names[0] in columns:
+        time = _time_column(session, node, types, columns, names, kind)
+        if time is None:
             wanted = "an integer counter" if kind.is_counter else "a timestamp"
-            type_name = columns.get(names[0], "missing")
-            raise wrong("time_of_intervals", what=what, name=names[0], type=type_name, wanted=wanted)
-    query = filled("lab/evaluation/intervals", slots)
-    read_from(query, "intervals", node)
-    rows = session.rows(query)
+            of = columns.get(names[0], ("", "missing"))[1]
+            raise wrong("time_of_intervals", what=what, name=names[0], type=of, wanted=wanted)
+        name, found = time
+        # The words of a text file are read as times a column at a time; its rows keep their order.
+        read = (
+            node
+            if found is None
+            else with_times_read(session, Source(relation, None, None, name, name), types, node)
+        )
+        value = None if found is None else session.engine.micros_of(found, template.column(name))
+        query = filled("lab/evaluation/intervals", {**slots, "start": None, "finish": None, slot: value})
+        read_from(query, "intervals", read)
+        ends = session.rows(query)
+        key = "starts_at" if slot == "start" else "ends_at"
+        rows = [{**row, key: end[key]} for row, end in zip(rows or ends, ends, strict=True)]
+    rows = [row for row in rows if row["is_withdrawn"] == 0]
     incomplete = sum(row["asset"] is None or row["starts_at"] is None for row in rows)
     if incomplete:
         raise wrong("incomplete_intervals", what=what, rows=incomplete)
     open_ended = [
-        {**row, "ends_at": _LAST if row["ends_at"] is None else row["ends_at"]} for row in rows
+        {**row, "ends_at": _LAST if row["ends_at"] is None or row["is_open"] else row["ends_at"]}
+        for row in rows
     ]
     backwards = sum(row["ends_at"] < row["starts_at"] for row in open_ended)
     if backwards:
@@ -208,13 +251,24 @@ def _intervals(session: Session, relation: Any, kind: TimeKind, what: str) -> li
 
 
 def _time_column(
-    session: Session, columns: Mapping[str, str], names: Sequence[str], kind: TimeKind
-) -> tuple[str, TimeKind] | None:
-    """Return the first of these columns that tells time as the indicators do, and how."""
-    for name in names:
-        found = session.engine.types.time_kind(columns[name]) if name in columns else None
+    session: Session,
+    node: exp.Expr,
+    types: Mapping[str, str],
+    columns: Mapping[str, tuple[str, str]],
+    names: Sequence[str],
+    kind: TimeKind,
+) -> tuple[str, TimeKind | None] | None:
+    """Return the first of these columns that tells time as the indicators do, and how.
+
+    A column of ends may have no value at all; nothing tells its type then.
+    """
+    there = [columns[name][0] for name in names if name in columns]
+    for name in there:
+        found = session.engine.types.time_kind(types[name])
         if found is not None and found.is_counter == kind.is_counter:
             return name, found
+    if names == _ENDS["finish"] and there and all(is_empty(session, node, name) for name in there):
+        return there[0], None
     return None
 
 
@@ -222,11 +276,13 @@ def _chosen(labels: list[Row], events: Sequence[str]) -> list[Row]:
     """Return the labels of the events that count."""
     if not labels:
         raise wrong("no_labels")
+    if isinstance(events, str):
+        events = [events]
     known = sorted({row["event"] for row in labels if row["event"] is not None})
     for event in events:
-        if event not in known:
+        if str(event) not in known:
             raise wrong("no_such_event", event=event, events=", ".join(known[:10]) or "none")
-    return [row for row in labels if not events or row["event"] in events]
+    return [row for row in labels if not events or row["event"] in map(str, events)]
 
 
 def _matches(label: Row, series: set[tuple[str, str]]) -> bool:

@@ -58,11 +58,13 @@ def _remarks(
     )
     if without_value:
         yield (
-            f"labels without a value, which count neither way: {without_value:,} (they lie before the "
-            "first value, or between two values)"
+            f"labels without a value, which count neither way: {without_value:,} (before the first "
+            "value, after the last, or shorter than the step between two)"
         )
     if found.unmatched:
         yield f"labels that name no machine or signal of the indicators: {found.unmatched:,}"
+    if found.alarms_unmatched:
+        yield f"alarms that name no machine or signal of the indicators: {found.alarms_unmatched:,}"
     if found.without_limit:
         yield f"never raised, because they have no limit: {number_of(found.without_limit, 'channel')}"
     if total["left_out"]:

@@ -150,7 +150,7 @@ def members(
         SourceError: rows belong nowhere, an order is not unique, a failed channel is not told, or
             sums would not fit in 64 bits.
     """
-    _check_rows(rows, table)
+    check_rows(rows, table)
     rows = sorted(rows, key=lambda row: (row["asset"], row["channel"]))
     numbers = {asset: n for n, asset in enumerate(dict.fromkeys(row["asset"] for row in rows), 1)}
     channels = Counter(row["asset"] for row in rows)
@@ -250,7 +250,8 @@ def _outcome(row: dict[str, Any]) -> Outcome:
     return Outcome(row["asset"], row["channel"], is_healthy, row["failed_at"])
 
 
-def _check_rows(rows: list[dict[str, Any]], table: HealthTable) -> None:
+def check_rows(rows: list[dict[str, Any]], table: HealthTable) -> None:
+    """Refuse a table of indicators that has no row, rows without a name or time, or places twice."""
     if not rows:
         raise SourceError("The table of health indicators has no row.")
     nameless = sum(row["rows_read"] for row in rows if row["asset"] is None or row["channel"] is None)

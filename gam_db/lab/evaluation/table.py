@@ -69,7 +69,7 @@ def health_table(session: Session, relation: Any) -> HealthTable:
             f"{', '.join(PLACES[:-1])} or {PLACES[-1]}."
         )
     time = "last_time" if place == "bucket" and "last_time" in columns else place
-    if time == "last_time" and "last_tick" in columns and _is_empty(session, node, time):
+    if time == "last_time" and "last_tick" in columns and is_empty(session, node, time):
         time = "last_tick"  # a view of a monitor whose source counts time
     if time in columns:
         node = with_times_read(session, Source(relation, None, None, time, "hi"), columns, node)
@@ -104,7 +104,7 @@ def read_from(query: exp.Query, name: str, relation: exp.Expr) -> None:
             table.replace(relation.copy())
 
 
-def _is_empty(session: Session, relation: exp.Expr, column: str) -> bool:
+def is_empty(session: Session, relation: exp.Expr, column: str) -> bool:
     """Tell whether no row of a relation has a value in a column."""
     count = exp.Count(this=template.column(column))
     (row,) = session.rows(exp.select(exp.alias_(count, "count")).from_(relation.copy()))

@@ -35,6 +35,7 @@ from gam_db.study.running import Listener, Running, unheard
 
 #: Parts of the state, in the order in which they are told.
 PARTS = (
+    "source",
     *("frozen", "versions", "tables", "buckets", "novel cells", "runs"),
     *("limits", "judgements", "episodes", "labels"),
     *("scored", "calibration"),
@@ -106,6 +107,10 @@ def check_state(
         )
     usable = {key: row for key, row in check.versions.items() if key not in check.unusable}
     check.look()
+    active = [row for row in usable.values() if row["is_active"] and row["lo"] is not None]
+    if active and not any(check.readings.get(name_of(row)) for row in active):
+        what = "the source has no row of any channel, so nothing could be compared with it"
+        check.note(None, "source", what=what, differing=len(active))
     most = limit or state.session.rows_at_once()
     for group in portions(check.planned(monitor_id, usable), check.readings, most):
         check.scored(group)

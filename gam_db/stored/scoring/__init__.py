@@ -251,14 +251,12 @@ class Run:
             return
         first = min(lost, key=name_of)
         count = sum(other[row["version_id"]]["first_bucket"] - row["first_bucket"] for row in lost)
-        edge = other[first["version_id"]]["first_scored"]
-        begin = shown_instant(edge - 1, self.reader.kind)
+        begin = shown_instant(other[first["version_id"]]["first_scored"], self.reader.kind)
         others = f" (and of {len(lost) - 1:,} more)" if len(lost) > 1 else ""
         raise ParameterError(
-            f"Scoring anew from there would remove {count:,} stored buckets whose rows are gone "
-            "from the "
-            f"source: the channel {first['asset']} {first['channel']}{others} can be scored again only "
-            f"after {begin}. Score from there, or confirm the loss (--confirm)."
+            f"Scoring anew from there would remove {count:,} stored buckets whose rows are gone from "
+            f"the source: the channel {first['asset']} {first['channel']}{others} can be scored again "
+            f"only from {begin} on. Give that instant (--from), or confirm the loss (--confirm)."
         )
 
 

@@ -4,7 +4,7 @@
 -- A row:  one value of one channel, with the columns of indicator; what cannot be numbered, and
 --         instants that are there twice, stay, so that they can be refused.
 -- Slots:  :stride  vectors of a bucket
-SELECT asset, channel, place, time, hi, novel_in_window, vectors_in_window
+SELECT asset, channel, place, time, hi, novel_in_window, vectors_in_window, hi_limit
 FROM (
   SELECT
     asset,
@@ -14,6 +14,7 @@ FROM (
     hi,
     novel_in_window,
     vectors_in_window,
+    hi_limit,
     CAST(ROW_NUMBER() OVER (PARTITION BY asset, channel ORDER BY place) AS BIGINT) AS number,
     LAG(place, 1) OVER (PARTITION BY asset, channel ORDER BY place) AS place_before,
     LAG(place, 1) OVER (PARTITION BY asset, channel ORDER BY place DESC) AS place_after

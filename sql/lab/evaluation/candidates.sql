@@ -15,6 +15,7 @@ SELECT
   MIN(CASE WHEN hi IS NOT NULL THEN novel_in_window END) AS lowest_count,
   MAX(CASE WHEN hi IS NOT NULL THEN novel_in_window END) AS highest_count,
   MAX(hi) AS highest_hi,
-  MIN(hi) AS lowest_hi
+  MIN(hi) AS lowest_hi,
+  MAX(indicator_row.hi_limit) AS hi_limit
 FROM indicator AS indicator_row
 GROUP BY asset, channel

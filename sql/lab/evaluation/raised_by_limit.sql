@@ -6,7 +6,7 @@ SELECT
   asset,
   channel,
   time,
-  CASE WHEN hi > COALESCE(CAST(:limit AS DOUBLE), hi_limit, channel_limit) THEN 1 ELSE 0 END AS is_raised
+  CASE WHEN hi > COALESCE(CAST(:limit AS DOUBLE), channel_limit, hi_limit) THEN 1 ELSE 0 END AS is_raised
 FROM (
   SELECT
     measured.asset AS asset,
