@@ -1,5 +1,6 @@
 """Selects: what a SELECT of a step reads and names itself."""
 
+from collections import deque
 from collections.abc import Container, Iterator, Mapping
 
 from sqlglot import exp
@@ -20,9 +21,13 @@ def sources_of(select: exp.Select) -> list[tuple[exp.Expr, bool]]:
 
 def direct_columns(select: exp.Select) -> Iterator[exp.Column]:
     """Give the columns that a select names itself, not those of a select in it."""
-    for node in select.walk(prune=lambda node: isinstance(node, exp.Subquery)):
+    pending: deque[exp.Expr] = deque([select])
+    while pending:
+        node = pending.popleft()
         if isinstance(node, exp.Column):
             yield node
+        elif not isinstance(node, exp.Subquery):
+            pending.extend(node.iter_expressions())
 
 
 def query_of(source: exp.Expr, steps: Mapping[str, exp.Query]) -> exp.Query | None:

@@ -234,10 +234,12 @@ def spelled_out(name: str, queries: Mapping[str, exp.Query], tables: Collection[
 
 def inline_single(queries: dict[str, exp.Query], objects: Collection[str]) -> None:
     """Inline a step that is not an object into its only reader, if that reads nothing else."""
+    inputs = {name: read_by(query, queries) for name, query in queries.items()}
     for name in [name for name in queries if name not in objects]:
-        readers = [query for query in queries.values() if reads(query, name)]
-        if len(readers) == 1 and _is_all_it_reads(readers[0], name):
-            inlined(readers[0], name, queries.pop(name))
+        readers = [reader for reader in queries if name in inputs[reader]]
+        if len(readers) == 1 and _is_all_it_reads(queries[readers[0]], name):
+            inlined(queries[readers[0]], name, queries.pop(name))
+            inputs[readers[0]] = inputs.pop(name)
 
 
 def owners_of(queries: Mapping[str, exp.Query], is_object: Callable[[str, int], bool]) -> list[str]:
