@@ -1,5 +1,6 @@
 """``gam run``: from a recording to the findings of every channel, nothing kept."""
 
+import contextlib
 import os
 import re
 from collections.abc import Iterable
@@ -94,7 +95,9 @@ def run(
                 ]
                 figures["ahead"], lacking = ahead_of(study), bool(study.ahead)
         if not (common.as_json or common.quiet):
-            write(sections)
+            # Who reads the page may close it early, as head does; rich then ends the process.
+            with contextlib.suppress(BrokenPipeError, SystemExit):
+                write(sections)
         with Progress(session, common.quiet) as progress:
             for result in results:
                 progress.on_step(f"writing {result}")

@@ -1,6 +1,8 @@
 """Files as plants have them, through the command line: what is asked, and the first line."""
 
 import math
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -389,3 +391,19 @@ def test_a_machine_may_have_a_calibration_of_its_own() -> None:
     learnt = parquet.read_table("out.support.parquet").to_pylist()
     assert [(row["asset"], row["calibration_samples"]) for row in learnt] == [("A", 100), ("B", 59)]
     assert "--calibrate is '5'; write FROM/TO" in gam("run", "in", "--calibrate", "A=5").stderr
+
+
+def test_results_are_written_though_nobody_reads_the_page(tmp_path: Path) -> None:
+    """As in ``gam run plant.csv | head``."""
+    rows = "".join(f"{i},{i % 44}\n" for i in range(4000))
+    (tmp_path / "plant.csv").write_text(f"time,value\n{rows}")
+    command = [sys.executable, "-c", "from gam_db.cli import main; main()", "run", "plant.csv"]
+    with subprocess.Popen(
+        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdout is not None
+        process.stdout.close()
+        _, errors = process.communicate()
+    assert b"Traceback" not in errors
+    for what in ("health", "support", "certificate"):
+        assert (tmp_path / f"plant.{what}.parquet").is_file()
