@@ -101,7 +101,7 @@ def _sections(
         lines = list(_lines(choice, job.parameters.window, *(of[key] for of in curves)))
         if (of := by_name.get(key)) is not None:
             scores = f"by delay: {automatic.scores(of)}; {number_of(len(of.channels), 'sibling')}"
-            lines.append(("score", f"{scores} take tau {of.tau}"))
+            lines.append(("score", f"{scores} take{'s' * (len(of.channels) == 1)} tau {of.tau}"))
         yield Notes(lines)
     for failure in selection.failures.to_pylist():
         yield ""
