@@ -63,7 +63,8 @@ def guard(table: exp.Table, column: str, kind: TimeKind) -> exp.Expr:
     """
     schema = template.text(table.db) if table.db else called("DATABASE")
     slots: dict[str, template.Slot] = {"schema": schema, "column": template.text(column)}
-    slots |= {"table": template.text(table.name), "is_counter": int(kind.is_counter)}
+    others = ("timestamp", "datetime", "date", "time") if kind.is_counter else ("timestamp",)
+    slots |= {"table": template.text(table.name), "is_other": exp.column("data_type").isin(*others)}
     query = template.fill("export/timestamp_columns", slots)
     words = _OF_CALENDAR if kind.is_counter else _OF_SESSION
     message = template.text(words.format(column=column))
