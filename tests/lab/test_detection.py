@@ -274,6 +274,7 @@ def changed(column: str, values: Any) -> pa.Table:
     ("labels", "given", "words"),
     [
         (LABELS.drop_columns("asset"), {}, "no column 'asset'"),
+        (LABELS.append_column("chanel", pa.array(["x"])), {}, "'channel'; did you mean 'chanel'"),
         (LABELS.drop_columns("start"), {}, r"'start' of the labels \(missing\)"),
         (changed("start", ["soon"]), {}, r"'start' of the labels \(VARCHAR\) must be an integer"),
         (changed("end", [dt.datetime(2026, 1, 1)]), {}, "'end' of the labels"),

@@ -225,7 +225,7 @@ def evaluate(
         render.show(render.Page(figures, lines), options.Common(as_json=as_json))
         return
     _refuse_without_labels(
-        event=event, limit=limit, limits=limits, alarms=alarms, before=before, after=after
+        event=event or None, limit=limit, limits=limits, alarms=alarms, before=before, after=after
     )
     conventions = Conventions(
         monotonicity=monotonicity,
@@ -247,8 +247,8 @@ def evaluate(
     render.show(render.Page(figures, sections), options.Common(as_json=as_json))
 
 
-def _refuse_without_labels(**given: object) -> None:
-    for name, value in given.items():
+def _refuse_without_labels(**options: object) -> None:
+    for name, value in options.items():
         if value is not None:
             raise wrong("needs_labels", name=f"--{name}")
 

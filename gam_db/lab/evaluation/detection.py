@@ -137,14 +137,14 @@ def detected(
     after: Any = 0,
 ) -> Detection:
     """Compare in an open session; see :func:`detection`."""
-    if sum(given is not None for given in (limit, limits, alarms)) > 1:
+    if sum(source is not None for source in (limit, limits, alarms)) > 1:
         raise wrong("raised_by_one")
     if limit is not None:
         limit = _finite(limit)
     nodes = {
-        what: session.relation(given)
-        for what, given in (("labels", labels), ("alarms", alarms))
-        if given is not None
+        what: session.relation(relation)
+        for what, relation in (("labels", labels), ("alarms", alarms))
+        if relation is not None
     }
     table = health_table(session, health)
     if table.kind is None:
@@ -157,7 +157,8 @@ def detected(
     check_rows(candidates, table)
     if not any(row["hi_values"] for row in candidates):
         raise wrong("no_value_yet")
-    series = {(row["asset"], row["channel"]) for row in candidates}
+    channels = {name_of(row) for row in candidates}
+    series = channels | {(asset, None) for asset, _ in channels}
     chosen = _chosen(_intervals(session, labels, nodes["labels"], kind, "labels"), events)
     labelled = [row for row in chosen if _matches(row, series)]
     if not labelled:
@@ -167,10 +168,10 @@ def detected(
     without_limit = alarms_unmatched = 0
     tables = {"indicator": indicator, "labels": session.load(_labels(labelled, *margins))}
     if alarms is None:
-        found = _limits(session, health, table, limit, limits)
-        tables["channel_limits"] = session.load(pa.Table.from_pylist(found, _LIMITS))
-        watched = {name_of(row) for row in (*found, *candidates) if row["hi_limit"] is not None}
-        without_limit = 0 if limit is not None else len(series - watched)
+        limit_rows = _limits(session, health, table, limit, limits)
+        tables["channel_limits"] = session.load(pa.Table.from_pylist(limit_rows, _LIMITS))
+        watched = {name_of(row) for row in (*limit_rows, *candidates) if row["hi_limit"] is not None}
+        without_limit = 0 if limit is not None else len(channels - watched)
     else:
         rows = _intervals(session, alarms, nodes["alarms"], kind, "alarms")
         alarms_unmatched = sum(not _matches(row, series) for row in rows)
@@ -208,7 +209,10 @@ def _intervals(session: Session, relation: Any, node: exp.Expr, kind: TimeKind, 
     """
     columns = {name.lower(): (name, of) for name, of in session.describe(node).items()}
     if "asset" not in columns:
-        raise wrong("intervals_without_asset", what=what, hint=nearest("asset", columns))
+        raise wrong("no_column_of_intervals", what=what, name="asset", hint=nearest("asset", columns))
+    # A misspelled optional column would let each label be of the whole machine.
+    if "channel" not in columns and "did you mean" in (hint := nearest("channel", columns)):
+        raise wrong("no_column_of_intervals", what=what, name="channel", hint=hint)
     words = {columns[name][0]: "VARCHAR" for name in ("asset", "channel", "event") if name in columns}
     node = session.engine.retyped(node, words)  # a name is read as it is written
     types = session.describe(node)
@@ -223,14 +227,14 @@ def _intervals(session: Session, relation: Any, node: exp.Expr, kind: TimeKind, 
             wanted = "an integer counter" if kind.is_counter else "a timestamp"
             of = columns.get(names[0], ("", "missing"))[1]
             raise wrong("time_of_intervals", what=what, name=names[0], type=of, wanted=wanted)
-        name, found = time
+        name, time_kind = time
         # The words of a text file are read as times a column at a time; its rows keep their order.
         read = (
             node
-            if found is None
+            if time_kind is None
             else with_times_read(session, Source(relation, None, None, name, name), types, node)
         )
-        value = None if found is None else session.engine.micros_of(found, template.column(name))
+        value = None if time_kind is None else session.engine.micros_of(time_kind, template.column(name))
         query = filled("lab/evaluation/intervals", {**slots, "start": None, "finish": None, slot: value})
         read_from(query, "intervals", read)
         ends = session.rows(query)
@@ -264,9 +268,9 @@ def _time_column(
     """
     there = [columns[name][0] for name in names if name in columns]
     for name in there:
-        found = session.engine.types.time_kind(types[name])
-        if found is not None and found.is_counter == kind.is_counter:
-            return name, found
+        time_kind = session.engine.types.time_kind(types[name])
+        if time_kind is not None and time_kind.is_counter == kind.is_counter:
+            return name, time_kind
     if names == _ENDS["finish"] and there and all(is_empty(session, node, name) for name in there):
         return there[0], None
     return None
@@ -278,17 +282,16 @@ def _chosen(labels: list[Row], events: Sequence[str]) -> list[Row]:
         raise wrong("no_labels")
     if isinstance(events, str):
         events = [events]
-    known = sorted({row["event"] for row in labels if row["event"] is not None})
+    names = sorted({row["event"] for row in labels if row["event"] is not None})
     for event in events:
-        if str(event) not in known:
-            raise wrong("no_such_event", event=event, events=", ".join(known[:10]) or "none")
+        if str(event) not in names:
+            raise wrong("no_such_event", event=event, events=", ".join(names[:10]) or "none")
     return [row for row in labels if not events or row["event"] in map(str, events)]
 
 
-def _matches(label: Row, series: set[tuple[str, str]]) -> bool:
-    """Tell whether a label names a channel, or a machine, of the indicators."""
-    asset, channel = label["asset"], label["channel"]
-    return any(asset == of and channel in (None, named) for of, named in series)
+def _matches(label: Row, series: set[tuple[str, str | None]]) -> bool:
+    """Tell whether a label names a channel or, with channel NULL, a machine of the indicators."""
+    return name_of(label) in series
 
 
 def _labels(rows: Sequence[Row], before: int, after: int) -> pa.Table:
@@ -319,6 +322,7 @@ def _limits(
     for name in ("asset", "channel", "hi_limit"):
         if name not in columns:
             raise wrong("no_column_of_limits", name=name, hint=nearest(name, columns))
+    node = session.engine.retyped(node, {"asset": "VARCHAR", "channel": "VARCHAR"})
     if not session.engine.types.is_numeric(columns["hi_limit"]):
         raise wrong("limit_is_no_number", type=columns["hi_limit"])
     slots: dict[str, template.Slot] = {

@@ -11,10 +11,10 @@ from gam_db.findings import Row
 from gam_db.lab.evaluation.detection import Detection
 
 
-def sections(health: str, found: Detection, everything: bool) -> Iterator[Section]:
+def sections(health: str, detection: Detection, everything: bool) -> Iterator[Section]:
     """Yield the sections; with ``everything`` also a line for each channel."""
-    kind = TimeKind.COUNTER if found.unit == "steps" else TimeKind.TIMESTAMP
-    rates = found.rates.to_pylist()
+    kind = TimeKind.COUNTER if detection.unit == "steps" else TimeKind.TIMESTAMP
+    rates = detection.rates.to_pylist()
     machines = [row for row in rates if row["asset"] is not None and row["channel"] is None]
     channels = [row for row in rates if row["channel"] is not None]
     total = next(row for row in rates if row["asset"] is None)
@@ -27,7 +27,7 @@ def sections(health: str, found: Detection, everything: bool) -> Iterator[Sectio
     yield Table("detections", lines)
     yield from page.cut(machines, everything, what=" machines")
     yield ""
-    yield from _remarks(found, machines, channels, total)
+    yield from _remarks(detection, total)
 
 
 def _lines(rows: Sequence[Row], kind: TimeKind) -> Iterator[Row]:
@@ -45,14 +45,12 @@ def _lead(lead: int | None, kind: TimeKind) -> str | None:
     return f"{'-' * (lead < 0)}{spoken(abs(lead), kind)}" if lead else "0"
 
 
-def _remarks(
-    found: Detection, machines: Sequence[Row], channels: Sequence[Row], total: Row
-) -> Iterator[str]:
+def _remarks(detection: Detection, total: Row) -> Iterator[str]:
     """Yield what a reader must know about the figures."""
     without_value = len(
         {
             (row["asset"], row["event"], row["starts_at"], row["ends_at"])
-            for row in found.labels.to_pylist()
+            for row in detection.labels.to_pylist()
             if row["channel"] is None and not row["has_values"]
         }
     )
@@ -61,13 +59,14 @@ def _remarks(
             f"labels without a value, which count neither way: {without_value:,} (before the first "
             "value, after the last, or shorter than the step between two)"
         )
-    if found.unmatched:
-        yield f"labels that name no machine or signal of the indicators: {found.unmatched:,}"
-    if found.alarms_unmatched:
-        yield f"alarms that name no machine or signal of the indicators: {found.alarms_unmatched:,}"
-    if found.without_limit:
-        yield f"never raised, because they have no limit: {number_of(found.without_limit, 'channel')}"
+    if detection.unmatched:
+        yield f"labels that name no machine or signal of the indicators: {detection.unmatched:,}"
+    if detection.alarms_unmatched:
+        yield f"alarms that name no machine or signal of the indicators: {detection.alarms_unmatched:,}"
+    if detection.without_limit:
+        without = number_of(detection.without_limit, "channel")
+        yield f"never raised, because they have no limit: {without}"
     if total["left_out"]:
         yield f"values in the margin of a label, which count neither way: {total['left_out']:,}"
-    if len(machines) == 1 and not total["labelled"]:
+    if not total["labelled"]:
         yield "no value is labelled"
